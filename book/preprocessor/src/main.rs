@@ -1,0 +1,2 @@
+//! Prepares pages.
+fn main() {}

@@ -1,0 +1,260 @@
+//! The command line that every chapter shares.
+
+use crate::file::check_destination;
+use crate::{Canvas, Stage, View};
+use clap::error::ErrorKind;
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use glam::UVec2;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// The longest side of a picture, in pixels.
+const MAX_SIDE: u32 = 16_384;
+
+/// Why a chapter ends without what was asked for, in one line that says what would be right.
+enum Failure {
+    /// What was asked for makes no sense: exit code 2.
+    Usage(String),
+    /// It could not be done: exit code 1.
+    Failed(String),
+}
+
+/// Runs a chapter: its window, or what the command line asks for.
+///
+/// Returns 0 for success, 2 for a command line that makes no sense, 1 for what could not be done.
+#[must_use]
+pub fn run(stage: &'static Stage) -> ExitCode {
+    match run_with(stage, std::env::args_os().collect()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Usage(line)) => {
+            complain(&line);
+            ExitCode::from(2)
+        }
+        Err(Failure::Failed(line)) => {
+            complain(&line);
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// One line on the terminal. A terminal that has gone away is no reason to panic, as `println!` would.
+pub fn say(line: &str) {
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// One line on stderr.
+pub fn complain(line: &str) {
+    let _ = writeln!(std::io::stderr(), "error: {line}");
+}
+
+fn run_with(stage: &'static Stage, arguments: Vec<OsString>) -> Result<(), Failure> {
+    let matches = match command(stage).try_get_matches_from(arguments) {
+        Ok(matches) => matches,
+        Err(error) if error.kind() == ErrorKind::DisplayHelp => {
+            let _ = error.print();
+            return Ok(());
+        }
+        Err(error) => return Err(Failure::Usage(one_line(&error))),
+    };
+    let size = match matches.get_one::<String>("size") {
+        Some(text) => parse_size(text)?,
+        None => UVec2::new(800, 600),
+    };
+
+    if matches.get_flag("list") {
+        list(stage);
+        return Ok(());
+    }
+    if let Some(folder) = matches.get_one::<PathBuf>("all") {
+        return save_all(stage, size, folder);
+    }
+
+    let index = match matches.get_one::<String>("view") {
+        Some(name) => find_view(stage, name)?,
+        None => 0,
+    };
+    let view = &stage.views[index];
+    let setting = setting_of(stage, view, &matches)?;
+    if let Some(path) = matches.get_one::<PathBuf>("png") {
+        return save_one(view, setting, size, path);
+    }
+
+    #[cfg(feature = "window")]
+    let why_not = match crate::window::open(stage, index, setting, size) {
+        Ok(()) => return Ok(()),
+        Err(why_not) => why_not,
+    };
+    #[cfg(not(feature = "window"))]
+    let why_not = "built without the feature `window`".to_string();
+
+    // A machine without a display still gets its picture, and the reader the path.
+    say(&format!(
+        "no window ({why_not}): saving the picture instead"
+    ));
+    let name = format!("{}.png", stage.picture_name(view, setting));
+    save_one(view, setting, size, Path::new(&name))
+}
+
+fn command(stage: &'static Stage) -> Command {
+    Command::new(stage.name)
+        .about(stage.title)
+        .after_help(
+            "In the window: Tab or 1-9 change the view, Up and Down turn the knob, P saves a PNG, Esc closes.",
+        )
+        .args([
+            Arg::new("view")
+                .long("view")
+                .value_name("NAME")
+                .help("Show this view (--list names them)"),
+            Arg::new("knob")
+                .long("knob")
+                .value_name("X")
+                .allow_negative_numbers(true)
+                .help("Turn the view's knob to X"),
+            Arg::new("size")
+                .long("size")
+                .value_name("WxH")
+                .help("Paint W x H pixels [default: 800x600]"),
+            Arg::new("png")
+                .long("png")
+                .value_name("PATH")
+                .value_parser(value_parser!(PathBuf))
+                .help("Save a PNG and open no window"),
+            Arg::new("all")
+                .long("all")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .conflicts_with_all(["view", "knob", "png"])
+                .help("Save every view as a PNG in the folder DIR"),
+            Arg::new("list")
+                .long("list")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["view", "knob", "size", "png", "all"])
+                .help("List the views and their knobs"),
+        ])
+}
+
+/// clap explains itself in paragraphs; the first line says what is wrong.
+fn one_line(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let first = text.lines().next().unwrap_or_default();
+    format!(
+        "{}; --help lists the options",
+        first.strip_prefix("error: ").unwrap_or(first)
+    )
+}
+
+fn list(stage: &Stage) {
+    say(&format!("{}: {}", stage.name, stage.title));
+    for view in stage.views {
+        say(&format!("\n{}\n    {}", view.name, view.caption));
+        if let Some(knob) = &view.knob {
+            say(&format!(
+                "    knob: {}, {} (default {})",
+                knob.name,
+                knob.range(),
+                knob.default
+            ));
+        }
+    }
+}
+
+fn find_view(stage: &Stage, name: &str) -> Result<usize, Failure> {
+    stage.find(name).ok_or_else(|| {
+        let names: Vec<_> = stage.views.iter().map(|view| view.name).collect();
+        Failure::Usage(format!(
+            "there is no view '{name}' in {}; its views: {}",
+            stage.name,
+            names.join(", ")
+        ))
+    })
+}
+
+fn setting_of(stage: &Stage, view: &View, matches: &ArgMatches) -> Result<f32, Failure> {
+    let Some(text) = matches.get_one::<String>("knob") else {
+        return Ok(view.default_setting());
+    };
+    let Some(knob) = &view.knob else {
+        let with_knob: Vec<_> = stage
+            .views
+            .iter()
+            .filter(|view| view.knob.is_some())
+            .map(|view| view.name)
+            .collect();
+        let advice = if with_knob.is_empty() {
+            "no view of this chapter has one".to_string()
+        } else {
+            format!("views with one: {}", with_knob.join(", "))
+        };
+        return Err(Failure::Usage(format!(
+            "the view '{}' has no knob; {advice}",
+            view.name
+        )));
+    };
+    match text.parse() {
+        Ok(setting) if knob.accepts(setting) => Ok(setting),
+        _ => Err(Failure::Usage(format!(
+            "--knob '{text}' is not a setting of {}; it goes from {}",
+            knob.name,
+            knob.range()
+        ))),
+    }
+}
+
+fn parse_size(text: &str) -> Result<UVec2, Failure> {
+    let side = |text: &str| {
+        text.parse()
+            .ok()
+            .filter(|side| (1..=MAX_SIDE).contains(side))
+    };
+    text.split_once('x')
+        .and_then(|(width, height)| Some(UVec2::new(side(width)?, side(height)?)))
+        .ok_or_else(|| {
+            Failure::Usage(format!(
+                "--size '{text}' is not a size; write WxH, like 800x600, each from 1 to {MAX_SIDE}"
+            ))
+        })
+}
+
+fn save_one(view: &View, setting: f32, size: UVec2, path: &Path) -> Result<(), Failure> {
+    let is_png = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    if !is_png {
+        return Err(Failure::Usage(format!(
+            "--png '{}' does not end in .png, and a PNG is what it would be",
+            path.display()
+        )));
+    }
+    check_destination(path).map_err(Failure::Failed)?;
+    Canvas::paint(&(view.picture)(setting), size)
+        .save(path)
+        .map_err(Failure::Failed)?;
+    say(&path.display().to_string());
+    Ok(())
+}
+
+fn save_all(stage: &Stage, size: UVec2, folder: &Path) -> Result<(), Failure> {
+    let path_of = |view| {
+        let name = stage.picture_name(view, view.default_setting());
+        folder.join(format!("{name}.png"))
+    };
+    // Before the first is painted, see that none will be refused.
+    for view in stage.views {
+        check_destination(&path_of(view)).map_err(Failure::Failed)?;
+    }
+    // indicatif draws the bar on a terminal only.
+    let style =
+        ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}").expect("a valid template");
+    let progress = ProgressBar::new(stage.views.len() as u64).with_style(style);
+    for view in stage.views {
+        progress.set_message(view.name);
+        progress.suspend(|| save_one(view, view.default_setting(), size, &path_of(view)))?;
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    Ok(())
+}

@@ -1,0 +1,13 @@
+//! Light, Backwards: the chapters, in the order of the book.
+
+use canvas::Stage;
+
+/// Every chapter's stage. The tests, the book and `cargo run` go by this list.
+pub const STAGES: [&Stage; 6] = [
+    &canvas::STAGE,
+    &ray_casting::STAGE,
+    &sphere_hit::STAGE,
+    &plane_hit::STAGE,
+    &shadows::STAGE,
+    &shading::STAGE,
+];

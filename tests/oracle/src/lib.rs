@@ -1,0 +1,1 @@
+//! A plain tracer in f64.
