@@ -1,2 +1,28 @@
-//! Prepares pages.
-fn main() {}
+//! Prepares the book's pages for mdBook: formulas become MathML, figures come from the chapters' stages.
+
+mod figures;
+mod maths;
+mod page;
+
+use mdbook_preprocessor::errors::{Error, Result};
+use std::env;
+use std::io;
+
+fn main() -> Result<()> {
+    // mdBook first asks whether its renderer is supported; the exit code answers.
+    if env::args().nth(1).as_deref() == Some("supports") {
+        return Ok(());
+    }
+    let (_, mut book) = mdbook_preprocessor::parse_input(io::stdin())?;
+    let mut result = Ok(());
+    book.for_each_chapter_mut(|chapter| match page::prepare(&chapter.content) {
+        Ok(content) => chapter.content = content,
+        Err(problem) if result.is_ok() => {
+            result = Err(Error::msg(format!("page “{}”: {problem}", chapter.name)));
+        }
+        Err(_) => (),
+    });
+    result?;
+    serde_json::to_writer(io::stdout(), &book)?;
+    Ok(())
+}

@@ -45,8 +45,9 @@ pub fn say(line: &str) {
     let _ = writeln!(std::io::stdout(), "{line}");
 }
 
-/// One line on stderr.
+/// One line on stderr, also where it quotes an argument that has line breaks.
 pub fn complain(line: &str) {
+    let line = line.replace(char::is_control, " ");
     let _ = writeln!(std::io::stderr(), "error: {line}");
 }
 
@@ -112,11 +113,12 @@ fn command(stage: &'static Stage) -> Command {
             Arg::new("knob")
                 .long("knob")
                 .value_name("X")
-                .allow_negative_numbers(true)
+                .allow_hyphen_values(true)
                 .help("Turn the view's knob to X"),
             Arg::new("size")
                 .long("size")
                 .value_name("WxH")
+                .allow_hyphen_values(true)
                 .help("Paint W x H pixels [default: 800x600]"),
             Arg::new("png")
                 .long("png")
@@ -137,13 +139,18 @@ fn command(stage: &'static Stage) -> Command {
         ])
 }
 
-/// clap explains itself in paragraphs; the first line says what is wrong.
+/// clap explains itself in paragraphs; the first says what is wrong.
 fn one_line(error: &clap::Error) -> String {
     let text = error.to_string();
-    let first = text.lines().next().unwrap_or_default();
+    let first: Vec<_> = text
+        .lines()
+        .take_while(|line| !line.is_empty())
+        .map(str::trim)
+        .collect();
+    let first = first.join(" ");
     format!(
         "{}; --help lists the options",
-        first.strip_prefix("error: ").unwrap_or(first)
+        first.strip_prefix("error: ").unwrap_or(&first)
     )
 }
 

@@ -62,8 +62,8 @@ impl Canvas {
             use std::os::unix::fs::PermissionsExt;
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
-        let file = builder.tempfile_in(folder_of(target))?;
-        let mut writer = BufWriter::new(file);
+        let mut file = builder.tempfile_in(folder_of(target))?;
+        let mut writer = BufWriter::new(file.as_file_mut());
         PngEncoder::new(&mut writer).write_image(
             self.levels.as_flattened(),
             self.size.x,
@@ -71,7 +71,7 @@ impl Canvas {
             ExtendedColorType::Rgb8,
         )?;
         writer.flush()?;
-        let file = writer.into_inner()?;
+        drop(writer);
         file.as_file().sync_all()?;
         file.persist(target)?;
         Ok(())

@@ -1,4 +1,6 @@
-//! A picture is a function from a pixel to light; a canvas paints it, keeps it, and shows it.
+// ANCHOR: head
+//! A picture is a function from a pixel to light; a canvas paints it, keeps it, and shows
+//! it.
 
 mod command_line;
 mod file;
@@ -17,6 +19,7 @@ use glam::{UVec2, Vec2, Vec3};
 use rayon::prelude::*;
 use std::cell::Cell;
 use std::sync::mpsc::{Receiver, channel};
+// ANCHOR_END: head
 
 // ANCHOR: pixel
 /// One pixel of a picture of `size` pixels; `x` counts from the left, `y` from the top.
@@ -31,9 +34,11 @@ pub struct Pixel {
 }
 
 impl Pixel {
-    /// The pixel's centre on the image plane: x to the right, y up, the origin in the middle.
+    /// The pixel's centre on the image plane: x to the right, y up, the origin in the
+    /// middle.
     ///
-    /// The image plane is 2 high, from −1 to 1, and as wide as the picture's shape makes it.
+    /// The image plane is 2 high, from −1 to 1, and as wide as the picture's shape makes
+    /// it.
     #[must_use]
     pub fn centre(self) -> Vec2 {
         let half = self.size.as_vec2() / 2.0;
@@ -49,13 +54,15 @@ impl Pixel {
 // ANCHOR_END: pixel
 
 // ANCHOR: picture
-/// What to paint: a pure function from a pixel to linear light, red, green and blue; 1 is white.
+/// What to paint: a pure function from a pixel to linear light, red, green and blue; 1 is
+/// white.
 pub struct Picture(Box<dyn Fn(Pixel) -> Vec3 + Send + Sync>);
 
 impl Picture {
     /// A picture from its function.
     ///
-    /// The light must be finite. What is below 0 is shown as black, what is above 1 as full.
+    /// The light must be finite. What is below 0 is shown as black, what is above 1 as
+    /// full.
     pub fn new(light: impl Fn(Pixel) -> Vec3 + Send + Sync + 'static) -> Self {
         Self(Box::new(light))
     }
@@ -67,7 +74,8 @@ thread_local! {
     static RAYS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// Counts one ray. Called wherever a ray is cast; a painted [`Row`] knows how many it took.
+/// Counts one ray. Called wherever a ray is cast; a painted [`Row`] knows how many it
+/// took.
 pub fn count_ray() {
     RAYS.set(RAYS.get() + 1);
 }

@@ -6,10 +6,10 @@ use std::sync::LazyLock;
 // ANCHOR: definition
 /// Whether a linear `light` is encoded to `level` or to a higher one, 1 ≤ `level` ≤ 255.
 ///
-/// sRGB says: the encoded value is 12.92 v up to v = 0.0031308, and 1.055 v^(1/2.4) − 0.055 above;
-/// a screen's level is 255 times that, rounded. A power like 1/2.4 differs in its last bit from one
-/// machine to the next, so we ask the same question with whole powers, which do not:
-/// v^(1/2.4) ≥ y  ⇔  v⁵ ≥ y¹².
+/// sRGB says: the encoded value is 12.92 v up to v = 0.0031308, and 1.055 v^(1/2.4) −
+/// 0.055 above; a screen's level is 255 times that, rounded. A power like 1/2.4 differs
+/// in its last bit from one machine to the next, so we ask the same question with whole
+/// powers, which do not: v^(1/2.4) ≥ y  ⇔  v⁵ ≥ y¹².
 ///
 /// Source: IEC 61966-2-1.
 fn reaches(light: f64, level: u8) -> bool {
@@ -47,10 +47,12 @@ static THRESHOLDS: LazyLock<[f32; 255]> = LazyLock::new(|| {
 // ANCHOR_END: thresholds
 
 // ANCHOR: encode
-/// How many equal parts of [0, 1) the index has: enough for no part to hold more than four thresholds.
+/// How many equal parts of [0, 1) the index has: enough for no part to hold more than
+/// four thresholds.
 const PARTS: usize = 1024;
 
-/// `INDEX[i]` is how many thresholds the light i / `PARTS` reaches: where the search may start.
+/// `INDEX[i]` is how many thresholds the light i / `PARTS` reaches: where the search may
+/// start.
 static INDEX: LazyLock<[u8; PARTS]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
         let light = i as f32 / PARTS as f32;

@@ -1,11 +1,13 @@
-//! A chapter's one description of its pictures: the window, the command line, the snapshots and the book are driven by it.
+//! A chapter's one description of its pictures: the window, the command line, the
+//! snapshots and the book are driven by it.
 
 use crate::Picture;
 
 // ANCHOR: stage
 /// A chapter, as what it shows.
 pub struct Stage {
-    /// Number and name, `04-shadows`: the name of its binary, and the start of its pictures' names.
+    /// Number and name, `04-shadows`: the name of its binary, and the start of its
+    /// pictures' names.
     pub name: &'static str,
     /// The idea, in a few words.
     pub title: &'static str,
@@ -62,7 +64,8 @@ impl Stage {
         self.views.iter().position(|view| view.name == name)
     }
 
-    /// What a picture of this stage is called, without an ending: `02-sphere-hit--far-slide--knob-1000`.
+    /// What a picture of this stage is called, without an ending:
+    /// `02-sphere-hit--far-slide--knob-1000`.
     ///
     /// The default setting is not named, and a name never holds a dot.
     #[must_use]

@@ -1,9 +1,11 @@
+// ANCHOR: head
 //! A ray for every pixel: from the eye, through the pixel, into the world.
 
 pub mod views;
 pub use views::STAGE;
 
 use glam::{Vec2, Vec3};
+// ANCHOR_END: head
 
 // ANCHOR: ray
 /// A half-line: where it starts, and where it goes.
@@ -44,24 +46,34 @@ pub struct Camera {
 // ANCHOR_END: camera
 
 // ANCHOR: new
+/// The unit vector along `vector`; `None` if it has none: it is zero or not finite, or so
+/// short or so long that the square of its length is beyond f32.
+#[must_use]
+pub fn unit(vector: Vec3) -> Option<Vec3> {
+    let has_one = vector.length_squared().is_normal();
+    has_one.then(|| vector.normalize())
+}
+
 /// The least sine of the angle between a camera's `forward` and `up`.
 ///
-/// A cross product of unit vectors is wrong by about 1e-7: below this, `right` would be off by a percent.
+/// A cross product of unit vectors is wrong by about 1e-7: below this, `right` would be
+/// off by a percent.
 const LEAST_SINE: f32 = 1e-5;
 
 impl Camera {
-    /// A camera at `eye` that looks along `forward`, with `up` somewhere above the middle of the picture.
+    /// A camera at `eye` that looks along `forward`, with `up` somewhere above the middle
+    /// of the picture.
     ///
-    /// Neither direction need be a unit vector. Returns `None` where there is no such camera: a
-    /// direction is zero or not finite, `forward` is parallel to `up`, the eye is not finite, or the
-    /// focal length is not a positive number.
+    /// Neither direction need be a unit vector. Returns `None` where there is no such
+    /// camera: a direction has no [`unit`] vector, `forward` is parallel to `up`, the eye
+    /// is not finite, or the focal length is not a positive number.
     #[must_use]
     pub fn new(eye: Vec3, forward: Vec3, up: Vec3, focal_length: f32) -> Option<Self> {
         if !(eye.is_finite() && focal_length > 0.0 && focal_length.is_finite()) {
             return None;
         }
-        let forward = forward.try_normalize()?;
-        let right = up.try_normalize()?.cross(forward);
+        let forward = unit(forward)?;
+        let right = unit(up)?.cross(forward);
         if !(right.length() > LEAST_SINE) {
             return None;
         }
@@ -100,7 +112,8 @@ pub const SKY: Vec3 = Vec3::new(0.2, 0.5, 0.8);
 /// The ground's linear light, until there is a floor.
 pub const GROUND: Vec3 = Vec3::new(0.25, 0.2, 0.15);
 
-/// What a ray brings back from a world with nothing in it: sky above the horizon, ground below.
+/// What a ray brings back from a world with nothing in it: sky above the horizon, ground
+/// below.
 #[must_use]
 pub fn trace(ray: &Ray) -> Vec3 {
     if ray.direction.y > 0.0 { SKY } else { GROUND }

@@ -1,10 +1,12 @@
+// ANCHOR: head
 //! Where a ray meets a sphere: the slide's formula, how it fails, and one that does not.
 
 pub mod views;
 pub use views::STAGE;
 
 use glam::Vec3;
-use ray_casting::Ray;
+use ray_casting::{Ray, unit};
+// ANCHOR_END: head
 
 // ANCHOR: sphere
 /// The points at a distance of `radius` from `centre`.
@@ -17,7 +19,8 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A sphere; `None` if the radius is zero, negative or not finite, or the centre is not finite.
+    /// A sphere; `None` if the radius is zero, negative or not finite, or the centre is
+    /// not finite.
     #[must_use]
     pub fn new(centre: Vec3, radius: f32) -> Option<Self> {
         let is_one = centre.is_finite() && radius > 0.0 && radius.is_finite();
@@ -48,17 +51,19 @@ fn first_ahead(roots: [f32; 2], t_max: f32) -> Option<f32> {
 impl Sphere {
     /// The hit at distance `t`, which the sphere's equation has given.
     fn hit_at(&self, ray: &Ray, t: f32) -> Option<Hit> {
-        // Dividing by the radius first keeps the squares in range for the smallest and largest spheres.
-        let normal = ((ray.at(t) - self.centre) / self.radius).try_normalize()?;
+        // Dividing by the radius first keeps the squares in range for the smallest and
+        // largest spheres.
+        let normal = unit((ray.at(t) - self.centre) / self.radius)?;
         Some(Hit { t, normal })
     }
     // ANCHOR_END: hit
 
     // ANCHOR: slide
-    /// The first hit ahead of the ray and before `t_max`, by the slide's formula for unit directions:
-    /// t = −d·(o−c) ± √((d·(o−c))² − (‖o−c‖² − r²)).
+    /// The first hit ahead of the ray and before `t_max`, by the slide's formula for unit
+    /// directions: t = −d·(o−c) ± √((d·(o−c))² − (‖o−c‖² − r²)).
     ///
-    /// From a distance, or for a direction that is not quite a unit vector, it is wrong: [`Sphere::hit`] is better.
+    /// From a distance, or for a direction that is not quite a unit vector, it is wrong:
+    /// [`Sphere::hit`] is better.
     ///
     /// Source: the talk's "Sphere-Ray intersection" slides.
     #[must_use]
@@ -75,10 +80,11 @@ impl Sphere {
     // ANCHOR_END: slide
 
     // ANCHOR: stable
-    /// The first hit ahead of the ray and before `t_max`, from the ray's closest approach to the centre.
+    /// The first hit ahead of the ray and before `t_max`, from the ray's closest approach
+    /// to the centre.
     ///
-    /// The direction need not be a unit vector. Returns `None` for a miss, and for a ray or a sphere
-    /// that is none: a zero direction, or anything that is not finite.
+    /// The direction need not be a unit vector. Returns `None` for a miss, and for a ray
+    /// or a sphere that is none: a zero direction, or anything that is not finite.
     ///
     /// Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems (2019), ch. 7.
@@ -86,7 +92,8 @@ impl Sphere {
     pub fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let oc = ray.origin - self.centre;
         let d_dot_d = ray.direction.dot(ray.direction);
-        // The closest approach: t, and the way from the centre to there, perpendicular to the ray.
+        // The closest approach: t, and the way from the centre to there, perpendicular to
+        // the ray.
         let t_closest = -ray.direction.dot(oc) / d_dot_d;
         let closest = oc + t_closest * ray.direction;
         // Pythagoras: the chord's half is the other leg of a right triangle.
@@ -105,7 +112,8 @@ impl Sphere {
     // ANCHOR: f64
     /// The same as [`Sphere::hit`], in f64 from the ray to the normal.
     ///
-    /// For a finite ray and sphere it is right to the last bit of an f32, up to a distance of 10⁷ radii.
+    /// For a finite ray and sphere it is right to the last bit of an f32, up to a
+    /// distance of 10⁷ radii.
     #[must_use]
     pub fn hit_in_f64(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let direction = ray.direction.as_dvec3();

@@ -1,3 +1,4 @@
+// ANCHOR: head
 //! A floor to stand on, and the nearest of many things.
 
 mod still_life;
@@ -6,8 +7,9 @@ pub use still_life::still_life;
 pub use views::STAGE;
 
 use glam::{Vec2, Vec3};
-use ray_casting::{Ray, SKY};
+use ray_casting::{Ray, SKY, unit};
 use sphere_hit::{FARTHEST, Hit, Sphere};
+// ANCHOR_END: head
 
 // ANCHOR: plane
 /// The points x with (x − `point`) · `normal` = 0.
@@ -20,11 +22,11 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// A plane; `None` if `normal`, which need not be a unit vector, has no direction, or if
-    /// anything is not finite.
+    /// A plane; `None` if `normal`, which need not be a unit vector, has no [`unit`]
+    /// vector, or if the point is not finite.
     #[must_use]
     pub fn new(point: Vec3, normal: Vec3) -> Option<Self> {
-        let normal = normal.try_normalize()?;
+        let normal = unit(normal)?;
         point.is_finite().then_some(Self { point, normal })
     }
     // ANCHOR_END: plane
@@ -32,8 +34,8 @@ impl Plane {
     // ANCHOR: hit
     /// The hit ahead of the ray and before `t_max`: t = (x₀ − o)·n / (d·n).
     ///
-    /// Returns `None` for a ray that runs beside the plane or lies in it, and for one that meets it
-    /// beyond `t_max`. The direction need not be a unit vector.
+    /// Returns `None` for a ray that runs beside the plane or lies in it, and for one
+    /// that meets it beyond `t_max`. The direction need not be a unit vector.
     ///
     /// Source: the talk's "Plane-Ray intersection" slides.
     #[must_use]
@@ -85,7 +87,8 @@ impl Shape {
 // ANCHOR_END: object
 
 // ANCHOR: nearest
-/// The object that the ray meets first, and where; of two at the same distance, the first in the list.
+/// The object that the ray meets first, and where; of two at the same distance, the first
+/// in the list.
 #[must_use]
 pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<(&'a Object<M>, Hit)> {
     let mut nearest = None;
@@ -101,7 +104,8 @@ pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<(&'a Object
 // ANCHOR_END: nearest
 
 // ANCHOR: checker
-/// Whether a point of a floor is on an even square of a checkerboard; `uv` are two coordinates in its plane.
+/// Whether a point of a floor is on an even square of a checkerboard; `uv` are two
+/// coordinates in its plane.
 ///
 /// The parity is taken in floats: an integer cannot hold the squares near the horizon.
 #[must_use]
@@ -110,8 +114,9 @@ pub fn is_even(uv: Vec2) -> bool {
     sum - 2.0 * (sum / 2.0).floor() == 0.0
 }
 
-/// The same by all three coordinates of the point, which looks right and is not: on a floor at a
-/// whole height, `point.y` is that height give or take a rounding, and `floor` takes it for two.
+/// The same by all three coordinates of the point, which looks right and is not: on a
+/// floor at a whole height, `point.y` is that height give or take a rounding, and `floor`
+/// takes it for two.
 #[must_use]
 pub fn is_even_in_space(point: Vec3) -> bool {
     let sum = point.x.floor() + point.y.floor() + point.z.floor();

@@ -52,7 +52,8 @@ pub const STAGE: Stage = Stage {
             name: "checker-in-plane",
             caption: "The cure: squares by the two coordinates in the plane, clean up to the horizon.",
             knob: None,
-            picture: |_| checkered_floor(|point| is_even(Vec2::new(point.x, point.z))),
+            // At the odd height the cubes' colours have changed places.
+            picture: |_| checkered_floor(|point| !is_even(Vec2::new(point.x, point.z))),
         },
     ],
 };

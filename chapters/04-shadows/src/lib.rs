@@ -1,4 +1,6 @@
-//! Shadows: from every hit a ray towards the light, and darkness if something is in its way.
+// ANCHOR: head
+//! Shadows: from every hit a ray towards the light, and darkness if something is in its
+//! way.
 
 pub mod views;
 pub use views::STAGE;
@@ -7,6 +9,7 @@ use glam::Vec3;
 use plane_hit::{Object, Pattern, nearest};
 use ray_casting::Ray;
 use sphere_hit::{FARTHEST, facing};
+// ANCHOR_END: head
 
 // ANCHOR: scene
 /// A lamp too small to see; its light does not fade with distance.
@@ -31,24 +34,30 @@ pub struct Scene<M> {
 // ANCHOR_END: scene
 
 // ANCHOR: shadow-ray
-/// How far from a surface, along its normal, a shadow ray starts: a thousandth of a ball of radius 1.
+/// How far from a surface, along its normal, a shadow ray starts: a thousandth of a ball
+/// of radius 1.
 ///
-/// A computed hit lies a little above or below the surface, and from below the surface would shadow
-/// itself. A fixed distance is right for scenes about as large as ours, and for no other: chapter 10
-/// shows where it fails, and the cure.
+/// A computed hit lies a little above or below the surface, and from below the surface
+/// would shadow itself. A fixed distance is right for scenes about as large as ours, and
+/// for no other: chapter 10 shows where it fails, and the cure.
 pub const OFFSET: f32 = 1e-3;
 
-/// The ray from a `point` on a surface towards a light, and the distance to go.
-fn shadow_ray(point: Vec3, normal: Vec3, light: &PointLight) -> (Ray, f32) {
-    canvas::count_ray();
+/// The ray from a `point` on a surface towards a light, and the distance to go; `None`
+/// for a light behind the surface, which hides it: from above the surface, a ray could
+/// slip past its edge.
+fn shadow_ray(point: Vec3, normal: Vec3, light: &PointLight) -> Option<(Ray, f32)> {
     let origin = point + OFFSET * normal;
     let to_light = light.position - origin;
-    let distance = to_light.length();
-    let direction = to_light / distance;
-    (Ray { origin, direction }, distance)
+    if !(normal.dot(to_light) > 0.0) {
+        return None;
+    }
+    canvas::count_ray();
+    let direction = to_light.normalize();
+    Some((Ray { origin, direction }, to_light.length()))
 }
 
-/// Whether anything is in the ray's way before `t_max`; the first blocker ends the search.
+/// Whether anything is in the ray's way before `t_max`; the first blocker ends the
+/// search.
 fn is_blocked<M>(scene: &Scene<M>, ray: &Ray, t_max: f32) -> bool {
     let mut objects = scene.objects.iter();
     objects.any(|object| object.shape.hit(ray, t_max).is_some())
@@ -56,18 +65,20 @@ fn is_blocked<M>(scene: &Scene<M>, ray: &Ray, t_max: f32) -> bool {
 // ANCHOR_END: shadow-ray
 
 // ANCHOR: reaches
-/// Whether the light reaches a `point`, on the side of the surface that `normal`, a unit vector, points to.
+/// Whether the light reaches a `point`, on the side of the surface that `normal`, a unit
+/// vector, points to.
 ///
 /// Source: the talk's "Now with Shadows" slide.
 #[must_use]
 pub fn light_reaches<M>(scene: &Scene<M>, point: Vec3, normal: Vec3, light: &PointLight) -> bool {
-    let (ray, distance) = shadow_ray(point, normal, light);
-    !is_blocked(scene, &ray, distance)
+    shadow_ray(point, normal, light)
+        .is_some_and(|(ray, distance)| !is_blocked(scene, &ray, distance))
 }
 // ANCHOR_END: reaches
 
 // ANCHOR: buggy
-/// The talk's buggy shadow: whatever lies in the light's direction blocks it, even from beyond.
+/// The talk's buggy shadow: whatever lies in the light's direction blocks it, even from
+/// beyond.
 #[must_use]
 pub fn light_reaches_buggy<M>(
     scene: &Scene<M>,
@@ -75,8 +86,7 @@ pub fn light_reaches_buggy<M>(
     normal: Vec3,
     light: &PointLight,
 ) -> bool {
-    let (ray, _) = shadow_ray(point, normal, light);
-    !is_blocked(scene, &ray, FARTHEST)
+    shadow_ray(point, normal, light).is_some_and(|(ray, _)| !is_blocked(scene, &ray, FARTHEST))
 }
 // ANCHOR_END: buggy
 
@@ -84,7 +94,8 @@ pub fn light_reaches_buggy<M>(
 /// What decides whether a light reaches a point with a normal.
 pub type Reaches<M> = fn(&Scene<M>, Vec3, Vec3, &PointLight) -> bool;
 
-/// What a ray brings back: the flat colour of what it meets first, times the light that reaches it.
+/// What a ray brings back: the flat colour of what it meets first, times the light that
+/// reaches it.
 #[must_use]
 pub fn trace(scene: &Scene<Pattern>, ray: &Ray, reaches: Reaches<Pattern>) -> Vec3 {
     let Some((object, hit)) = nearest(&scene.objects, ray) else {

@@ -1,3 +1,4 @@
+// ANCHOR: head
 //! Let there be light: ambient, diffuse and specular, by Phong.
 
 pub mod views;
@@ -8,6 +9,7 @@ use plane_hit::{Pattern, nearest};
 use ray_casting::Ray;
 use shadows::{PointLight, Scene, light_reaches};
 use sphere_hit::facing;
+// ANCHOR_END: head
 
 // ANCHOR: phong
 /// How a surface answers to light.
@@ -17,7 +19,8 @@ use sphere_hit::facing;
 pub struct Phong {
     /// The colour of its ambient and diffuse light; a highlight has the light's own.
     pub colour: Pattern,
-    /// kₐ: how much it glows without any lamp, in place of all the light that comes in roundabout ways.
+    /// kₐ: how much it glows without any lamp, in place of all the light that comes in
+    /// roundabout ways.
     pub ambient: f32,
     /// k_d: how much it scatters in all directions alike.
     pub diffuse: f32,
@@ -29,7 +32,8 @@ pub struct Phong {
 // ANCHOR_END: phong
 
 // ANCHOR: power
-/// `base` to the power of `exponent`, by repeated squaring: the same bits on every machine.
+/// `base` to the power of `exponent`, by repeated squaring: the same bits on every
+/// machine.
 ///
 /// Source: Knuth, The Art of Computer Programming, vol. 2, 4.6.3.
 #[must_use]
@@ -49,11 +53,12 @@ pub fn power(base: f32, exponent: u32) -> f32 {
 // ANCHOR_END: power
 
 // ANCHOR: lit
-/// The light of one lamp of intensity 1 that a `surface` of some `colour` sends back along −`incident`:
-/// k_d C (N·L) + kₛ (R·V)ⁿ, where R is L mirrored about N, and V is −I.
+/// The light of one lamp of intensity 1 that a `surface` of some `colour` sends back
+/// along −`incident`: k_d C (N·L) + kₛ (R·V)ⁿ, where R is L mirrored about N, and V is
+/// −I.
 ///
-/// `incident`, `normal` and `to_light` are unit vectors, and `normal` faces the incident ray. A lamp
-/// behind the surface gives nothing, not even a highlight.
+/// `incident`, `normal` and `to_light` are unit vectors, and `normal` faces the incident
+/// ray. A lamp behind the surface gives nothing, not even a highlight.
 ///
 /// Source: the talk's "Shading" slides.
 #[must_use]
@@ -73,10 +78,11 @@ pub fn lit(surface: &Phong, colour: Vec3, incident: Vec3, normal: Vec3, to_light
 // ANCHOR_END: lit
 
 // ANCHOR: shade
-/// The light that a `point` of a `surface` sends back along −`incident`: its ambient light, and that of
-/// every lamp in `lights` for which `reaches` holds.
+/// The light that a `point` of a `surface` sends back along −`incident`: its ambient
+/// light, and that of every lamp in `lights` for which `reaches` holds.
 ///
-/// `reaches` is not asked about a lamp behind the surface: no ray is cast that could not matter.
+/// `reaches` is not asked about a lamp that would give nothing: no ray is cast that could
+/// not matter.
 #[must_use]
 pub fn shade(
     surface: &Phong,
@@ -93,8 +99,9 @@ pub fn shade(
         let Some(to_light) = (light.position - point).try_normalize() else {
             continue;
         };
-        if normal.dot(to_light) > 0.0 && reaches(light) {
-            sum += light.intensity * lit(surface, colour, incident, normal, to_light);
+        let lit = lit(surface, colour, incident, normal, to_light);
+        if lit != Vec3::ZERO && reaches(light) {
+            sum += light.intensity * lit;
         }
     }
     sum

@@ -1,0 +1,112 @@
+//! Figures, captions and commands from the chapters' stages.
+
+use canvas::{Stage, View};
+use light_backwards::STAGES;
+use mdbook_preprocessor::errors::{Error, Result};
+
+/// The pictures of a stage's `views`, each `VIEW` or `VIEW=KNOB`, side by side.
+pub fn figures(stage: &str, views: &[&str]) -> Result<String> {
+    let stage = STAGES
+        .into_iter()
+        .find(|known| known.name == stage)
+        .ok_or_else(|| Error::msg(format!("no stage is called “{stage}”")))?;
+    if views.is_empty() {
+        return Err(Error::msg(format!(
+            "a figure of {} names no view",
+            stage.name
+        )));
+    }
+    let figures: String = views
+        .iter()
+        .map(|view| figure(stage, view))
+        .collect::<Result<_>>()?;
+    Ok(format!("<div class=\"figures\">\n{figures}</div>\n"))
+}
+
+fn figure(stage: &Stage, wanted: &str) -> Result<String> {
+    let (name, setting) = match wanted.split_once('=') {
+        Some((name, setting)) => (name, Some(setting)),
+        None => (wanted, None),
+    };
+    let index = stage.find(name).ok_or_else(|| {
+        let known: Vec<_> = stage.views.iter().map(|view| view.name).collect();
+        Error::msg(format!(
+            "{} has no view “{name}”, but {}",
+            stage.name,
+            known.join(", ")
+        ))
+    })?;
+    let view = &stage.views[index];
+    let setting = match setting {
+        Some(setting) => pinned(view, setting)?,
+        None => view.default_setting(),
+    };
+
+    // A stage's first picture, as it comes, is the page's large one.
+    let by_default = setting == view.default_setting();
+    let (width, height) = match index {
+        0 if by_default => (800, 600),
+        _ => (320, 240),
+    };
+    let mut options = String::new();
+    if index > 0 {
+        options += &format!(" --view {name}");
+    }
+    let mut caption = escape(view.caption);
+    if let (false, Some(knob)) = (by_default, &view.knob) {
+        options += &format!(" --knob {setting}");
+        let value = format!("{setting} {}", knob.unit);
+        caption += &format!(" Here the {} is {}.", knob.name, value.trim_end());
+    }
+    if !options.is_empty() {
+        options.insert_str(0, " --");
+    }
+    let command = format!("cargo run --bin {}{options}", stage.name);
+    let picture = format!("pictures/{}.snap.png", stage.picture_name(view, setting));
+    Ok(format!(
+        "<figure style=\"width: {width}px\">\n\
+         <a href=\"{picture}\"><img src=\"{picture}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\"></a>\n\
+         <figcaption>{caption}<br><code>{command}</code></figcaption>\n\
+         </figure>\n"
+    ))
+}
+
+/// A setting of the view's knob that has a picture: the default, or one that its stage pins.
+fn pinned(view: &View, setting: &str) -> Result<f32> {
+    let knob = view
+        .knob
+        .as_ref()
+        .ok_or_else(|| Error::msg(format!("the view “{}” has no knob", view.name)))?;
+    let setting: f32 = setting
+        .parse()
+        .map_err(|_| Error::msg(format!("“{setting}” is not a number")))?;
+    if setting != knob.default && !knob.pinned.contains(&setting) {
+        return Err(Error::msg(format!(
+            "{setting} is not pinned by the knob of “{}”: there is no picture of it",
+            view.name
+        )));
+    }
+    Ok(setting)
+}
+
+/// A table of all chapters: number, title and command.
+pub fn chapters() -> String {
+    let rows = STAGES.map(|stage| {
+        let number = stage.name.split('-').next().unwrap_or_default();
+        format!(
+            "| {number} | [{}]({name}.md) | `cargo run --bin {name}` |\n",
+            stage.title,
+            name = stage.name
+        )
+    });
+    format!("| | Chapter | Run it |\n|---|---|---|\n{}\n", rows.concat())
+}
+
+/// Plain text as HTML, with the apostrophes that mdBook gives to all other text.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+        .replace('\'', "’")
+}

@@ -1,0 +1,190 @@
+//! The book's source: its listings are the chapters' code, and its pictures exist.
+
+use canvas::Stage;
+use light_backwards::STAGES;
+use pulldown_cmark::{Event, Parser, Tag};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+mod the_source {
+    use super::*;
+
+    #[test]
+    fn has_every_page_of_the_summary_and_every_chapter_in_order() {
+        let mut problems = Vec::new();
+        for page in pages() {
+            if !book().join(&page).is_file() {
+                problems.push(format!("SUMMARY.md lists {page}, which does not exist"));
+            }
+        }
+        let chapters = STAGES.map(page_of);
+        let listed: Vec<_> = pages()
+            .into_iter()
+            .filter(|page| chapters.contains(page))
+            .collect();
+        if listed != chapters {
+            problems.push(format!(
+                "SUMMARY.md lists {listed:?}, but the chapters are {chapters:?}"
+            ));
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn includes_only_what_exists() {
+        let mut problems = Vec::new();
+        for page in pages() {
+            for command in commands(&read(&page), "include") {
+                if let Err(problem) = included(&command) {
+                    problems.push(format!("{page}: {problem}"));
+                }
+            }
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn lists_every_line_of_every_chapters_library() {
+        let mut problems = Vec::new();
+        for stage in STAGES {
+            let library = format!("../../chapters/{}/src/lib.rs", stage.name);
+            let listed: BTreeSet<usize> = commands(&read(&page_of(stage)), "include")
+                .iter()
+                .filter(|command| command.split(':').next() == Some(&library))
+                .filter_map(|command| included(command).ok())
+                .flatten()
+                .collect();
+            for (number, line) in (1..).zip(read(&library).lines()) {
+                if !line.trim().is_empty() && !is_anchor(line) && !listed.contains(&number) {
+                    problems.push(format!(
+                        "{} does not list {library}:{number}: {line}",
+                        page_of(stage)
+                    ));
+                }
+            }
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn shows_only_pictures_that_exist_and_every_view_of_every_chapter() {
+        let mut problems = Vec::new();
+        let mut shown = BTreeSet::new();
+        for page in pages() {
+            for command in commands(&read(&page), "figure") {
+                let mut words = command.split_whitespace();
+                let name = words.next().unwrap_or_default();
+                for word in words {
+                    let (view, picture) = picture(name, word);
+                    if !book().join(&picture).is_file() {
+                        problems.push(format!("{page}: {name} {word} has no picture {picture}"));
+                    }
+                    shown.insert((page.clone(), view));
+                }
+            }
+        }
+        for stage in STAGES {
+            for view in stage.views {
+                if !shown.contains(&(page_of(stage), view.name.to_string())) {
+                    problems.push(format!("{} does not show “{}”", page_of(stage), view.name));
+                }
+            }
+        }
+        none(&problems);
+    }
+}
+
+/// The folder of the pages' source.
+fn book() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src")
+}
+
+fn read(file: &str) -> String {
+    fs::read_to_string(book().join(file)).unwrap_or_else(|problem| panic!("{file}: {problem}"))
+}
+
+/// The pages that SUMMARY.md links.
+fn pages() -> Vec<String> {
+    Parser::new(&read("SUMMARY.md"))
+        .filter_map(|event| match event {
+            Event::Start(Tag::Link { dest_url, .. }) => Some(dest_url.into_string()),
+            _ => None,
+        })
+        .collect()
+}
+
+fn page_of(stage: &Stage) -> String {
+    format!("{}.md", stage.name)
+}
+
+/// What follows `name` in every `{{#name …}}` of a page.
+fn commands(page: &str, name: &str) -> Vec<String> {
+    page.split("{{#")
+        .skip(1)
+        .filter_map(|rest| rest.split_once("}}")?.0.strip_prefix(name))
+        .map(|rest| rest.trim().to_string())
+        .collect()
+}
+
+/// The numbers of the lines that `{{#include FILE:ANCHOR}}` includes.
+fn included(command: &str) -> Result<Vec<usize>, String> {
+    let (file, anchor) = match command.split_once(':') {
+        Some((file, anchor)) => (file, Some(anchor)),
+        None => (command, None),
+    };
+    let text =
+        fs::read_to_string(book().join(file)).map_err(|problem| format!("{file}: {problem}"))?;
+    let lines: Vec<&str> = text.lines().collect();
+    let range = match anchor {
+        None => 0..lines.len(),
+        Some(anchor) => {
+            let find = |keyword: &str| {
+                let places = (0..lines.len())
+                    .filter(|&line| anchor_in(lines[line], keyword) == Some(anchor));
+                match places.collect::<Vec<_>>()[..] {
+                    [place] => Ok(place),
+                    [] => Err(format!("{file} has no {keyword} {anchor}")),
+                    _ => Err(format!("{file} has more than one {keyword} {anchor}")),
+                }
+            };
+            find("ANCHOR:")? + 1..find("ANCHOR_END:")?
+        }
+    };
+    let has_content = |&line: &usize| !lines[line].trim().is_empty() && !is_anchor(lines[line]);
+    let numbers: Vec<_> = range.filter(has_content).map(|line| line + 1).collect();
+    if numbers.is_empty() {
+        return Err(format!("nothing is in {command}"));
+    }
+    Ok(numbers)
+}
+
+fn is_anchor(line: &str) -> bool {
+    ["ANCHOR:", "ANCHOR_END:"]
+        .iter()
+        .any(|keyword| anchor_in(line, keyword).is_some())
+}
+
+/// The anchor that a line opens or closes, as `keyword` says.
+fn anchor_in<'a>(line: &'a str, keyword: &str) -> Option<&'a str> {
+    line.split_once(keyword)?.1.split_whitespace().next()
+}
+
+/// The view and the picture's file of one `VIEW` or `VIEW=KNOB` in a figure.
+fn picture(stage: &str, word: &str) -> (String, String) {
+    let (name, setting) = word.split_once('=').unzip();
+    let name = name.unwrap_or(word);
+    let stage = STAGES.into_iter().find(|known| known.name == stage);
+    let picture = stage.and_then(|stage| {
+        let view = &stage.views[stage.find(name)?];
+        let setting =
+            setting.map_or(Some(view.default_setting()), |setting| setting.parse().ok())?;
+        Some(stage.picture_name(view, setting))
+    });
+    let picture = picture.unwrap_or_else(|| "of that name".to_string());
+    (name.to_string(), format!("pictures/{picture}.snap.png"))
+}
+
+fn none(problems: &[String]) {
+    assert!(problems.is_empty(), "\n{}\n", problems.join("\n"));
+}

@@ -1,0 +1,43 @@
+//! The numbers that the book quotes: text snapshots in `book/src/numbers`, which its pages include by anchor.
+
+use std::fmt::{Display, Write};
+
+/// One file of numbers.
+#[derive(Default)]
+pub struct Numbers(String);
+
+impl Numbers {
+    /// A number, or rows of a table, that a page includes by its `anchor`.
+    pub fn note(&mut self, anchor: &str, value: impl Display) {
+        writeln!(
+            self.0,
+            "<!-- ANCHOR: {anchor} -->\n{value}\n<!-- ANCHOR_END: {anchor} -->"
+        )
+        .expect("a String takes everything");
+    }
+
+    /// Compares the file called `name` with the one in the book.
+    pub fn check(&self, name: &str) {
+        let mut settings = insta::Settings::new();
+        settings.set_snapshot_path("../../book/src/numbers");
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!(name, self.0));
+    }
+}
+
+/// A share of a whole, as a percentage with three digits.
+pub fn percent(part: usize, whole: usize) -> String {
+    format!("{} %", three_digits(100.0 * part as f64 / whole as f64))
+}
+
+/// A number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.
+pub fn three_digits(x: f64) -> String {
+    let rounded = format!("{x:.2e}");
+    let value: f64 = rounded.parse().expect("a number just written");
+    if value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        rounded
+    }
+}

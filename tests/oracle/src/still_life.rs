@@ -1,0 +1,65 @@
+//! The still life, written out once more.
+//!
+//! Its numbers are the decimals themselves, as f64 holds them, and not the f32 values that a chapter
+//! rounds them to: 0.9 means nine tenths. What a chapter loses by that rounding, some 10⁻⁸, is part of
+//! what it is measured for.
+
+use crate::{Camera, Lamp, Paint, Scene, Shape, Surface, Thing};
+use glam::{DVec3, dvec3};
+
+/// Five spheres on a checkered floor under two lamps, as far as chapters 3 to 5 know them: the mirror
+/// and the glass are of plastic.
+#[must_use]
+pub fn still_life() -> Scene {
+    let surface = |paint, specular, shininess| Surface {
+        paint,
+        ambient: 0.1,
+        diffuse: 0.8,
+        specular,
+        shininess,
+    };
+    let ball = |centre, radius, colour, specular, shininess| Thing {
+        shape: Shape::Sphere { centre, radius },
+        surface: surface(Paint::Plain(colour), specular, shininess),
+    };
+    let floor = Thing {
+        shape: Shape::Plane {
+            point: DVec3::ZERO,
+            normal: DVec3::Y,
+        },
+        surface: surface(Paint::Checker(DVec3::splat(0.1), DVec3::splat(0.9)), 0.0, 1),
+    };
+    let grey = DVec3::splat(0.6);
+    Scene {
+        things: vec![
+            floor,
+            ball(dvec3(-2.2, 0.8, 1.0), 0.8, dvec3(0.9, 0.15, 0.1), 0.5, 50),
+            ball(dvec3(0.2, 1.2, 2.0), 1.2, grey, 0.8, 200),
+            ball(dvec3(2.3, 0.7, 0.6), 0.7, dvec3(0.1, 0.7, 0.2), 0.5, 50),
+            ball(dvec3(-0.8, 0.4, -1.0), 0.4, dvec3(0.15, 0.2, 0.9), 0.8, 100),
+            ball(dvec3(0.9, 0.6, -1.2), 0.6, dvec3(0.55, 0.75, 0.8), 0.8, 200),
+        ],
+        lamps: vec![
+            Lamp {
+                position: dvec3(-5.0, 7.0, -6.0),
+                intensity: 0.6,
+            },
+            Lamp {
+                position: dvec3(4.0, 6.0, -4.0),
+                intensity: 0.4,
+            },
+        ],
+        background: dvec3(0.2, 0.5, 0.8),
+    }
+}
+
+/// The camera that looks at it: 45° from top to bottom, 1/tan(45°/2) = 1 + √2.
+#[must_use]
+pub fn still_life_camera() -> Camera {
+    let forward = dvec3(0.0, -1.1, 7.0);
+    Camera::upright(
+        dvec3(0.0, 2.0, -7.0),
+        forward,
+        1.0 + std::f64::consts::SQRT_2,
+    )
+}
