@@ -147,8 +147,9 @@ mod sphere_hit {
     use ::sphere_hit::{FARTHEST, Hit, Sphere};
     use oracle::exact;
 
-    const METHODS: [fn(&Sphere, &Ray, f32) -> Option<Hit>; 3] =
-        [Sphere::hit_by_slide, Sphere::hit, Sphere::hit_in_f64];
+    type Method = fn(&Sphere, &Ray, f32) -> Option<Hit>;
+
+    const METHODS: [Method; 3] = [Sphere::hit_by_slide, Sphere::hit, Sphere::hit_in_f64];
 
     const SPHERE: Sphere = Sphere {
         centre: Vec3::ZERO,
