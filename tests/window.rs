@@ -1,0 +1,485 @@
+//! The window for real: under Xvfb, an X server without a screen, with synthesised keys.
+//!
+//! A key is held until its effect is seen, and every wait has a deadline, so that no test depends on how
+//! fast the machine is. Without Xvfb (Debian: `apt install xvfb`) the tests are skipped, but not in CI.
+#![cfg(target_os = "linux")]
+
+use canvas::{Canvas, Stage};
+use glam::UVec2;
+use std::fmt::Debug;
+use std::fs;
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+use x11rb::connection::Connection;
+use x11rb::protocol::xproto::{
+    self, ConfigureWindowAux, ConnectionExt as _, EventMask, ImageFormat, InputFocus,
+    KEY_PRESS_EVENT as KEY_PRESS, KEY_RELEASE_EVENT as KEY_RELEASE,
+};
+use x11rb::protocol::xtest::ConnectionExt as _;
+use x11rb::rust_connection::RustConnection;
+
+const SPHERE_HIT: (&str, &Stage) = (env!("CARGO_BIN_EXE_02-sphere-hit"), &sphere_hit::STAGE);
+const SHADING: (&str, &Stage) = (env!("CARGO_BIN_EXE_05-shading"), &shading::STAGE);
+
+/// X's names of keys, from its keysymdef.h. A digit's or a letter's is its ASCII code.
+const TAB: u32 = 0xff09;
+const ESCAPE: u32 = 0xff1b;
+const UP: u32 = 0xff52;
+const DOWN: u32 = 0xff54;
+
+/// What `look` finds; it is asked again and again, for 20 seconds at most.
+#[track_caller]
+fn wait_for<T>(what: impl Debug, mut look: impl FnMut() -> Option<T>) -> T {
+    let deadline = Instant::now() + Duration::from_secs(20);
+    while Instant::now() < deadline {
+        if let Some(found) = look() {
+            return found;
+        }
+        sleep(Duration::from_millis(10));
+    }
+    panic!("waited in vain for {what:?}");
+}
+
+/// Ends its process with the test, however that ends.
+struct Process(Child);
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// A screen of 1280x1024 pixels that nobody sees.
+struct Screen {
+    x: RustConnection,
+    root: xproto::Window,
+    /// `:1`, for the environment.
+    name: String,
+    _server: Process,
+}
+
+impl Screen {
+    /// None, and a line that says so, where there is no Xvfb.
+    fn new() -> Option<Self> {
+        let server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "1280x1024x24"])
+            .args(["-nolisten", "tcp", "-terminate"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn();
+        let mut server = match server {
+            Ok(server) => Process(server),
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                assert!(std::env::var_os("CI").is_none(), "CI needs Xvfb");
+                // Not `eprintln!`, whose output a passing test hides.
+                let test = std::thread::current();
+                let line = format!(
+                    "skipped: {} (no Xvfb; Debian has it as `xvfb`)",
+                    test.name().unwrap_or_default()
+                );
+                writeln!(std::io::stderr(), "{line}").expect("stderr");
+                return None;
+            }
+            Err(error) => panic!("Xvfb does not start: {error}"),
+        };
+        let mut number = String::new();
+        let stdout = server.0.stdout.take().expect("a pipe");
+        let read = BufReader::new(stdout).read_line(&mut number);
+        assert!(read.is_ok_and(|bytes| bytes > 1), "Xvfb does not start");
+        let name = format!(":{}", number.trim());
+        let (x, screen) = x11rb::connect(Some(&name)).expect("a connection to Xvfb");
+        let root = x.setup().roots[screen].root;
+        Some(Self {
+            x,
+            root,
+            name,
+            _server: server,
+        })
+    }
+
+    fn atom(&self, name: &str) -> xproto::Atom {
+        let cookie = self.x.intern_atom(false, name.as_bytes());
+        cookie.expect("sent").reply().expect("an atom").atom
+    }
+
+    fn title(&self, window: xproto::Window) -> Option<String> {
+        let (name, utf8) = (self.atom("_NET_WM_NAME"), self.atom("UTF8_STRING"));
+        let cookie = self.x.get_property(false, window, name, utf8, 0, 1024);
+        String::from_utf8(cookie.ok()?.reply().ok()?.value).ok()
+    }
+
+    /// Presses or releases a key, as the keyboard would.
+    fn key(&self, symbol: u32, event: u8) {
+        let first = self.x.setup().min_keycode;
+        let count = self.x.setup().max_keycode - first + 1;
+        let cookie = self.x.get_keyboard_mapping(first, count).expect("sent");
+        let mapping = cookie.reply().expect("the keyboard's mapping");
+        let mut codes = (first..).zip(mapping.keysyms.chunks(mapping.keysyms_per_keycode.into()));
+        let (code, _) = codes
+            .find(|(_, symbols)| symbols[0] == symbol)
+            .expect("such a key");
+        self.x
+            .xtest_fake_input(event, code, x11rb::CURRENT_TIME, self.root, 0, 0, 0)
+            .expect("sent")
+            .check()
+            .expect("XTEST");
+    }
+}
+
+/// A chapter at work in its window, in a folder of its own.
+struct Shown<'a> {
+    screen: &'a Screen,
+    stage: &'static Stage,
+    window: xproto::Window,
+    folder: TempDir,
+    process: Process,
+}
+
+impl<'a> Shown<'a> {
+    #[track_caller]
+    fn new(screen: &'a Screen, chapter: (&str, &'static Stage), arguments: &[&str]) -> Self {
+        let (binary, stage) = chapter;
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let process = Command::new(binary)
+            .args(arguments)
+            .current_dir(folder.path())
+            .env("DISPLAY", &screen.name)
+            .env_remove("WAYLAND_DISPLAY")
+            // So that a long picture is long on every machine.
+            .env("RAYON_NUM_THREADS", "1")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the binary runs");
+        let process = Process(process);
+        let window = wait_for("a window", || {
+            let tree = screen.x.query_tree(screen.root).ok()?.reply().ok()?;
+            let mut windows = tree.children.into_iter();
+            windows.find(|&window| {
+                screen
+                    .title(window)
+                    .is_some_and(|title| title.starts_with(stage.name))
+            })
+        });
+        // There is no window manager that would give it the keyboard. It must be on the screen first.
+        wait_for("the focus", || {
+            let x = &screen.x;
+            let focus = x.set_input_focus(InputFocus::PARENT, window, x11rb::CURRENT_TIME);
+            focus.ok()?.check().ok()
+        });
+        Self {
+            screen,
+            stage,
+            window,
+            folder,
+            process,
+        }
+    }
+
+    /// The window's title, once it has all of `words`.
+    #[track_caller]
+    fn title_with(&self, words: &[&str]) -> String {
+        let mut title = None;
+        let look = || {
+            title = self.screen.title(self.window);
+            let title = title.clone()?;
+            words
+                .iter()
+                .all(|word| title.contains(word))
+                .then_some(title)
+        };
+        wait_for(words, look)
+    }
+
+    /// Holds a key until the title has all of `words`.
+    #[track_caller]
+    fn press(&self, symbol: u32, words: &[&str]) -> String {
+        self.screen.key(symbol, KEY_PRESS);
+        let title = self.title_with(words);
+        self.screen.key(symbol, KEY_RELEASE);
+        title
+    }
+
+    /// What the close button of a title bar sends.
+    fn press_close_button(&self) {
+        let protocols = self.screen.atom("WM_PROTOCOLS");
+        let close = self.screen.atom("WM_DELETE_WINDOW");
+        let event =
+            xproto::ClientMessageEvent::new(32, self.window, protocols, [close, 0, 0, 0, 0]);
+        let x = &self.screen.x;
+        x.send_event(false, self.window, EventMask::NO_EVENT, event)
+            .expect("sent")
+            .check()
+            .expect("a window that takes it");
+    }
+
+    /// Asserts that it ends within 10 seconds, and with success; returns stdout and stderr.
+    #[track_caller]
+    fn ended(mut self) -> (String, String) {
+        let child = &mut self.process.0;
+        let deadline = Instant::now() + Duration::from_secs(10);
+        let status = loop {
+            if let Some(status) = child.try_wait().expect("a process") {
+                break status;
+            }
+            assert!(Instant::now() < deadline, "it does not end");
+            sleep(Duration::from_millis(10));
+        };
+        assert_eq!(status.code(), Some(0));
+        let (mut stdout, mut stderr) = (String::new(), String::new());
+        let pipes = (child.stdout.as_mut(), child.stderr.as_mut());
+        let (Some(out), Some(err)) = pipes else {
+            panic!("no pipes")
+        };
+        out.read_to_string(&mut stdout).expect("UTF-8");
+        err.read_to_string(&mut stderr).expect("UTF-8");
+        (stdout, stderr)
+    }
+
+    #[track_caller]
+    fn close_with_escape(self) -> (String, String) {
+        self.screen.key(ESCAPE, KEY_PRESS);
+        self.ended()
+    }
+
+    /// The window's pixels as they are on the screen, row by row; red, green, blue.
+    fn pixels(&self) -> Option<Vec<[u8; 3]>> {
+        let (x, window) = (&self.screen.x, self.window);
+        let size = x.get_geometry(window).ok()?.reply().ok()?;
+        let (format, all) = (ImageFormat::Z_PIXMAP, u32::MAX);
+        let image = x.get_image(format, window, 0, 0, size.width, size.height, all);
+        let bytes = image.ok()?.reply().ok()?.data;
+        let (pixels, _) = bytes.as_chunks::<4>();
+        let colour = |pixel: &[u8; 4]| {
+            let [_, red, green, blue] = u32::from_ne_bytes(*pixel).to_be_bytes();
+            [red, green, blue]
+        };
+        Some(pixels.iter().map(colour).collect())
+    }
+
+    /// Waits until the window shows exactly these pixels.
+    #[track_caller]
+    fn assert_shows(&self, what: &str, pixels: &[[u8; 3]]) {
+        wait_for(what, || (self.pixels()? == pixels).then_some(()));
+    }
+
+    fn resize(&self, width: u32, height: u32) {
+        let place = ConfigureWindowAux::new().x(0).y(0);
+        let cookie = (self.screen.x)
+            .configure_window(self.window, &place.width(width).height(height))
+            .expect("sent");
+        cookie.check().expect("a window that can be resized");
+    }
+
+    /// What the window should show: the library's own picture.
+    fn painted(&self, view: &str, setting: f32, size: UVec2) -> Canvas {
+        let view = &self.stage.views[self.stage.find(view).expect("a view")];
+        Canvas::paint(&(view.picture)(setting), size)
+    }
+}
+
+const SMALL: UVec2 = UVec2::new(400, 300);
+const SMALL_ARGUMENTS: [&str; 2] = ["--size", "400x300"];
+
+/// The title when a picture is done: its last two parts are its cost.
+const DONE: [&str; 2] = [" ms | ", " rays"];
+
+#[test]
+fn it_shows_the_picture_and_its_title_says_what_it_cost() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SHADING, &[]);
+    let title = shown.title_with(&DONE);
+    let expected = shown.painted("combined", 0.0, UVec2::new(800, 600));
+    let parts: Vec<_> = title.split(" | ").collect();
+    let ["05-shading", "combined", time, rays] = parts[..] else {
+        panic!("{title}");
+    };
+    let time = time.strip_suffix(" ms").expect("milliseconds");
+    assert!(time.parse::<u64>().is_ok(), "{title}");
+    assert_eq!(rays, format!("{} rays", expected.rays));
+    shown.assert_shows("the picture on the screen", &expected.levels);
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn tab_digits_and_arrows_change_view_and_knob() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
+    let shows = |view: &str, setting: f32| {
+        let expected = shown.painted(view, setting, SMALL).levels;
+        shown.assert_shows(&format!("{view} at {setting}"), &expected);
+    };
+    shown.title_with(&["| combined |"]);
+    shown.press(TAB, &["| ambient |"]);
+    shows("ambient", 0.0);
+    shown.press('3'.into(), &["| diffuse |"]);
+    shows("diffuse", 0.0);
+    shown.press('4'.into(), &["| specular | shininess 50 |"]);
+    shown.press(UP, &["| specular | shininess 51 |"]);
+    shows("specular", 51.0);
+    shown.press(DOWN, &["| specular | shininess 50 |"]);
+    // The last view is followed by the first; a digit beyond the last view does nothing, nor does a
+    // knob that is not there.
+    shown.press(TAB, &["| combined |"]);
+    for key in ['5'.into(), '9'.into(), UP] {
+        screen.key(key, KEY_PRESS);
+        sleep(Duration::from_millis(150));
+        screen.key(key, KEY_RELEASE);
+    }
+    shown.press('1'.into(), &["| combined |", DONE[0]]);
+    shows("combined", 0.0);
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn every_views_knob_keeps_its_own_setting() {
+    let Some(screen) = Screen::new() else { return };
+    #[rustfmt::skip]
+    let arguments = ["--view", "far-slide", "--knob", "4000", "--size", "400x300"];
+    let shown = Shown::new(&screen, SPHERE_HIT, &arguments);
+    shown.title_with(&["| far-slide | distance 4000 radii |"]);
+    shown.press(DOWN, &["| far-slide | distance 2000 radii |"]);
+    shown.press('7'.into(), &["| far-stable | distance 1000 radii |"]);
+    shown.press(UP, &["| far-stable | distance 2000 radii |"]);
+    shown.press('6'.into(), &["| far-slide | distance 2000 radii |"]);
+    let expected = shown.painted("far-slide", 2000.0, SMALL).levels;
+    shown.assert_shows("the sphere from afar", &expected);
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn p_saves_what_the_window_shows() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
+    shown.press('4'.into(), &["| specular | shininess 50 |", DONE[0]]);
+    shown.press(UP, &["| specular | shininess 51 |"]);
+    // The key may have been held for long enough to repeat.
+    let title = shown.title_with(&["| specular | shininess 5", DONE[0]]);
+    let setting = title.split([' ']).nth(5).expect("a setting");
+    let name = format!("05-shading--specular--knob-{setting}.png");
+    let folder = fs::canonicalize(shown.folder.path()).expect("a folder");
+    let path = folder.join(&name);
+    let path_shown = path.display().to_string();
+    shown.press('p'.into(), &["| specular |", &path_shown]);
+
+    let saved = image::open(&path).expect("a PNG");
+    let expected = shown.painted("specular", setting.parse().expect("a number"), SMALL);
+    assert!(saved.as_bytes() == expected.levels.as_flattened());
+    let printed = format!("{path_shown}\n");
+    assert_eq!(shown.close_with_escape(), (printed, String::new()));
+}
+
+#[test]
+fn p_in_the_middle_of_a_picture_saves_it_when_it_is_done() {
+    let Some(screen) = Screen::new() else { return };
+    let arguments = ["--size", "1600x1200"];
+    let shown = Shown::new(&screen, SHADING, &arguments);
+    shown.press('p'.into(), &["| saved "]);
+    let saved = image::open(shown.folder.path().join("05-shading--combined.png"));
+    let expected = shown.painted("combined", 0.0, UVec2::new(1600, 1200));
+    assert!(saved.expect("a PNG").as_bytes() == expected.levels.as_flattened());
+    shown.close_with_escape();
+}
+
+#[test]
+fn a_picture_that_cannot_be_saved_leaves_the_window_open() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
+    fs::create_dir(shown.folder.path().join("05-shading--combined.png")).expect("a folder");
+    shown.press('p'.into(), &["05-shading--combined.png: it is a folder"]);
+    shown.press(TAB, &["| ambient |", DONE[0]]);
+    let (stdout, stderr) = shown.close_with_escape();
+    assert_eq!((stdout.as_str(), stderr.lines().count()), ("", 1));
+    assert!(stderr.contains("it is a folder"), "{stderr}");
+}
+
+#[test]
+fn a_resized_window_keeps_the_pictures_shape() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
+    shown.title_with(&DONE);
+    let picture = shown.painted("combined", 0.0, SMALL).levels;
+    // Twice as large, each pixel four times, in the middle of what is wider or higher than that.
+    for (width, height) in [(900, 600), (800, 700), (800, 600)] {
+        shown.resize(width, height);
+        let (left, top) = ((width - 800) / 2, (height - 600) / 2);
+        let expected: Vec<_> = (0..height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .map(|(x, y)| match (x.checked_sub(left), y.checked_sub(top)) {
+                (Some(x), Some(y)) if x < 800 && y < 600 => picture[(y / 2 * 400 + x / 2) as usize],
+                _ => [0; 3],
+            })
+            .collect();
+        shown.assert_shows(&format!("the picture in {width}x{height}"), &expected);
+    }
+    // And still when there is next to no room.
+    for (width, height) in [(1, 1), (400, 1), (1, 300), (400, 300)] {
+        shown.resize(width, height);
+        let pixels = (width * height) as usize;
+        wait_for("the new size", || {
+            let shown = shown.pixels()?;
+            (shown.len() == pixels && shown.iter().any(|&pixel| pixel != [0; 3])).then_some(())
+        });
+    }
+    shown.assert_shows("the picture in its own size", &picture);
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn the_close_button_ends_it() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::new(&screen, SPHERE_HIT, &SMALL_ARGUMENTS);
+    shown.title_with(&DONE);
+    shown.press_close_button();
+    assert_eq!(shown.ended(), Default::default());
+}
+
+#[test]
+fn it_ends_at_once_in_the_middle_of_a_picture() {
+    let Some(screen) = Screen::new() else { return };
+    for escape in [true, false] {
+        let shown = Shown::new(&screen, SHADING, &["--size", "8192x8192"]);
+        wait_for("the first rows", || {
+            let pixels = shown.pixels()?;
+            pixels.iter().any(|&pixel| pixel != [0; 3]).then_some(())
+        });
+        shown.title_with(&["| painting"]);
+        let ended = if escape {
+            shown.close_with_escape()
+        } else {
+            shown.press_close_button();
+            shown.ended()
+        };
+        assert_eq!(ended, Default::default());
+        screen.key(ESCAPE, KEY_RELEASE);
+    }
+}
+
+/// What it costs to show a picture that is done is printed, not judged: that is a matter of the machine.
+#[test]
+fn it_stays_open_while_nothing_happens() {
+    let Some(screen) = Screen::new() else { return };
+    let mut shown = Shown::new(&screen, SHADING, &[]);
+    shown.title_with(&DONE);
+    let stat = format!("/proc/{}/stat", shown.process.0.id());
+    // Fields 14 and 15 are hundredths of a second in and for the process; the name, field 2, ends with ')'.
+    let spent = || {
+        let stat = fs::read_to_string(&stat).expect("the process");
+        let (_, fields) = stat.rsplit_once(')').expect("a name");
+        let fields = fields.split_whitespace().skip(11).take(2);
+        let ticks: u64 = fields
+            .map(|field| field.parse::<u64>().expect("ticks"))
+            .sum();
+        ticks as f64 / 100.0
+    };
+    let (before, start) = (spent(), Instant::now());
+    sleep(Duration::from_secs(3));
+    let share = 100.0 * (spent() - before) / start.elapsed().as_secs_f64();
+    writeln!(std::io::stderr(), "idle at 800x600: {share:.1} % of a core").expect("stderr");
+    assert!(shown.process.0.try_wait().expect("a process").is_none());
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
