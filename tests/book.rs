@@ -56,7 +56,10 @@ mod the_source {
                 .flatten()
                 .collect();
             for (number, line) in (1..).zip(read(&library).lines()) {
-                if !line.trim().is_empty() && !is_anchor(line) && !listed.contains(&number) {
+                if !line.trim().is_empty()
+                    && !is_anchor(line)
+                    && !listed.contains(&number)
+                {
                     problems.push(format!(
                         "{} does not list {library}:{number}: {line}",
                         page_of(stage)
@@ -78,7 +81,9 @@ mod the_source {
                 for word in words {
                     let (view, picture) = picture(name, word);
                     if !book().join(&picture).is_file() {
-                        problems.push(format!("{page}: {name} {word} has no picture {picture}"));
+                        problems.push(format!(
+                            "{page}: {name} {word} has no picture {picture}"
+                        ));
                     }
                     shown.insert((page.clone(), view));
                 }
@@ -87,7 +92,11 @@ mod the_source {
         for stage in STAGES {
             for view in stage.views {
                 if !shown.contains(&(page_of(stage), view.name.to_string())) {
-                    problems.push(format!("{} does not show “{}”", page_of(stage), view.name));
+                    problems.push(format!(
+                        "{} does not show “{}”",
+                        page_of(stage),
+                        view.name
+                    ));
                 }
             }
         }
@@ -101,7 +110,8 @@ fn book() -> PathBuf {
 }
 
 fn read(file: &str) -> String {
-    fs::read_to_string(book().join(file)).unwrap_or_else(|problem| panic!("{file}: {problem}"))
+    fs::read_to_string(book().join(file))
+        .unwrap_or_else(|problem| panic!("{file}: {problem}"))
 }
 
 /// The pages that SUMMARY.md links.
@@ -133,8 +143,8 @@ fn included(command: &str) -> Result<Vec<usize>, String> {
         Some((file, anchor)) => (file, Some(anchor)),
         None => (command, None),
     };
-    let text =
-        fs::read_to_string(book().join(file)).map_err(|problem| format!("{file}: {problem}"))?;
+    let text = fs::read_to_string(book().join(file))
+        .map_err(|problem| format!("{file}: {problem}"))?;
     let lines: Vec<&str> = text.lines().collect();
     let range = match anchor {
         None => 0..lines.len(),
@@ -151,7 +161,8 @@ fn included(command: &str) -> Result<Vec<usize>, String> {
             find("ANCHOR:")? + 1..find("ANCHOR_END:")?
         }
     };
-    let has_content = |&line: &usize| !lines[line].trim().is_empty() && !is_anchor(lines[line]);
+    let has_content =
+        |&line: &usize| !lines[line].trim().is_empty() && !is_anchor(lines[line]);
     let numbers: Vec<_> = range.filter(has_content).map(|line| line + 1).collect();
     if numbers.is_empty() {
         return Err(format!("nothing is in {command}"));
@@ -177,8 +188,8 @@ fn picture(stage: &str, word: &str) -> (String, String) {
     let stage = STAGES.into_iter().find(|known| known.name == stage);
     let picture = stage.and_then(|stage| {
         let view = &stage.views[stage.find(name)?];
-        let setting =
-            setting.map_or(Some(view.default_setting()), |setting| setting.parse().ok())?;
+        let setting = setting
+            .map_or(Some(view.default_setting()), |setting| setting.parse().ok())?;
         Some(stage.picture_name(view, setting))
     });
     let picture = picture.unwrap_or_else(|| "of that name".to_string());

@@ -18,6 +18,12 @@ const BINARIES: [&str; STAGES.len()] = [
     env!("CARGO_BIN_EXE_03-plane-hit"),
     env!("CARGO_BIN_EXE_04-shadows"),
     env!("CARGO_BIN_EXE_05-shading"),
+    env!("CARGO_BIN_EXE_06-reflection"),
+    env!("CARGO_BIN_EXE_07-refraction"),
+    env!("CARGO_BIN_EXE_08-fresnel"),
+    env!("CARGO_BIN_EXE_09-anti-aliasing"),
+    env!("CARGO_BIN_EXE_10-shadow-acne"),
+    env!("CARGO_BIN_EXE_11-transparency"),
 ];
 const SPHERE_HIT: &str = BINARIES[2];
 const SHADOWS: &str = BINARIES[4];
@@ -177,7 +183,8 @@ fn list_names_every_view_and_every_knobs_range() {
         assert!(lines[0].contains(stage.name) && lines[0].contains(stage.title));
         for view in stage.views {
             let line = lines.iter().position(|line| line == view.name);
-            let line = line.unwrap_or_else(|| panic!("--list does not name {}", view.name));
+            let line =
+                line.unwrap_or_else(|| panic!("--list does not name {}", view.name));
             assert_eq!(lines[line + 1].trim(), view.caption);
             if let Some(knob) = &view.knob {
                 assert!(lines[line + 2].contains(&knob.range()), "{}", view.name);

@@ -125,16 +125,17 @@ mod ray_casting {
         let pixels = [(0, 0), (799, 0), (400, 300), (0, 599), (799, 599)];
         numbers.note(
             "directions",
-            table(
-                pixels.map(|(x, y)| [format!("({x}, {y})"), vector(&direction(x, y).to_array())]),
-            ),
+            table(pixels.map(|(x, y)| {
+                [format!("({x}, {y})"), vector(&direction(x, y).to_array())]
+            })),
         );
         let canvas = paint(&STAGE, "sky-and-ground", HERO);
         numbers.note("rays", canvas.rays);
         let last_sky = canvas.light.iter().rposition(|&light| light == SKY);
         numbers.note("horizon", last_sky.expect("some sky") / HERO.x as usize);
         let errors = (0..HERO.y).flat_map(|y| (0..HERO.x).map(move |x| (x, y)));
-        let errors = errors.map(|(x, y)| (direction(x, y).as_dvec3().length() - 1.0).abs());
+        let errors =
+            errors.map(|(x, y)| (direction(x, y).as_dvec3().length() - 1.0).abs());
         numbers.note("length-error", three_digits(errors.fold(0.0, f64::max)));
         numbers.note("epsilon", three_digits(f64::from(f32::EPSILON)));
         numbers.check("01-ray-casting");
@@ -157,7 +158,8 @@ mod sphere_hit {
     };
 
     fn exactly(ray: &Ray) -> Option<f64> {
-        let [near, _] = exact::sphere(ray.origin, ray.direction, SPHERE.centre, SPHERE.radius)?;
+        let [near, _] =
+            exact::sphere(ray.origin, ray.direction, SPHERE.centre, SPHERE.radius)?;
         Some(near.t)
     }
 
@@ -181,8 +183,9 @@ mod sphere_hit {
                     direction: Vec3::NEG_Z,
                 };
                 let answer = exactly(&ray).map(|t| format!("{t:.6}"));
-                let [slide, stable, in_f64] = METHODS
-                    .map(|hit| or_miss(hit(&SPHERE, &ray, FARTHEST).map(|hit| hit.t.to_string())));
+                let [slide, stable, in_f64] = METHODS.map(|hit| {
+                    or_miss(hit(&SPHERE, &ray, FARTHEST).map(|hit| hit.t.to_string()))
+                });
                 [
                     format!("({x}, 0, {z})"),
                     or_miss(answer),
@@ -210,7 +213,9 @@ mod sphere_hit {
                         let this = (f64::from(hit.t) - t).abs();
                         error = Some(error.map_or(this, |error| error.max(this)));
                     }
-                    (hit, answer) => wrong += usize::from(hit.is_some() != answer.is_some()),
+                    (hit, answer) => {
+                        wrong += usize::from(hit.is_some() != answer.is_some())
+                    }
                 }
             }
             let error = error.map_or("—".to_string(), three_digits);
@@ -270,9 +275,10 @@ mod plane_hit {
         numbers.note(
             "pixels",
             table(pixels.map(|(x, y)| {
-                let (name, t) = met(x, y).map_or(("sky", "—".to_string()), |(name, t)| {
-                    (name, format!("{t:.3}"))
-                });
+                let (name, t) = met(x, y)
+                    .map_or(("sky", "—".to_string()), |(name, t)| {
+                        (name, format!("{t:.3}"))
+                    });
                 [format!("({x}, {y})"), name.to_string(), t]
             })),
         );
@@ -287,8 +293,8 @@ mod plane_hit {
         );
         numbers.note("rays", paint(&STAGE, "flat", HERO).rays);
 
-        let [in_space, in_plane] =
-            ["checker-in-space", "checker-in-plane"].map(|view| paint(&STAGE, view, SMALL).light);
+        let [in_space, in_plane] = ["checker-in-space", "checker-in-plane"]
+            .map(|view| paint(&STAGE, view, SMALL).light);
         let floor = in_plane.iter().filter(|&&light| light != SKY).count();
         let wrong = in_plane.iter().zip(&in_space).filter(|(a, b)| a != b);
         numbers.note("wrong-cells", percent(wrong.count(), floor));
@@ -329,7 +335,8 @@ mod plane_hit {
                 origin: Vec3::ZERO,
                 direction: direction.as_vec3(),
             };
-            let exact = exact::plane(ray.origin, ray.direction, plane.point, plane.normal);
+            let exact =
+                exact::plane(ray.origin, ray.direction, plane.point, plane.normal);
             let exact = exact.expect("not parallel");
             let hit = plane.hit(&ray, FARTHEST).expect("a hit");
             largest = largest.max((f64::from(hit.t) / exact - 1.0).abs());
@@ -351,14 +358,17 @@ mod shadows {
     use ::ray_casting::SKY;
     use ::ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
     use ::shadows::views::lit_still_life;
-    use ::shadows::{PointLight, STAGE, Scene, light_reaches, light_reaches_buggy, trace};
+    use ::shadows::{
+        PointLight, STAGE, Scene, light_reaches, light_reaches_buggy, trace,
+    };
     use ::sphere_hit::Sphere;
 
     #[test]
     fn the_numbers_are_those_in_the_book() {
         let mut numbers = Numbers::default();
         numbers.note("differing-still-life", differing_still_life());
-        let [buggy, cured] = ["lamp-buggy", "lamp"].map(|view| paint(&STAGE, view, SMALL).light);
+        let [buggy, cured] =
+            ["lamp-buggy", "lamp"].map(|view| paint(&STAGE, view, SMALL).light);
         let differing = buggy.iter().zip(&cured).filter(|(a, b)| a != b).count();
         numbers.note("differing-lamp", format!("{differing} of {}", cured.len()));
         numbers.note("exact-radius", format!("{:.4}", 1.25_f64.sqrt()));

@@ -35,7 +35,10 @@ macro_rules! chapters {
     };
 }
 
-chapters!(canvas ray_casting sphere_hit plane_hit shadows shading);
+chapters!(
+    canvas ray_casting sphere_hit plane_hit shadows shading reflection refraction fresnel
+    anti_aliasing shadow_acne transparency
+);
 
 fn check_pictures(stage: &Stage) {
     let mut complaints = String::new();
@@ -45,10 +48,12 @@ fn check_pictures(stage: &Stage) {
             // The chapter's hero is large, all others small.
             let is_hero = index == 0 && setting == view.default_setting();
             let (width, height) = if is_hero { (800, 600) } else { (320, 240) };
-            let canvas = Canvas::paint(&(view.picture)(setting), UVec2::new(width, height));
+            let canvas =
+                Canvas::paint(&(view.picture)(setting), UVec2::new(width, height));
             let name = stage.picture_name(view, setting);
             if let Err(complaint) = check_picture(&name, &canvas) {
-                writeln!(complaints, "\n{name}: {complaint}").expect("a String takes everything");
+                writeln!(complaints, "\n{name}: {complaint}")
+                    .expect("a String takes everything");
             }
         }
     }
@@ -119,7 +124,8 @@ impl Comparator for ByPixels {
 fn decode(snapshot: &Snapshot) -> Option<RgbImage> {
     match snapshot.contents() {
         SnapshotContents::Binary(Some(png)) => {
-            let image = image::load_from_memory_with_format(png, ImageFormat::Png).ok()?;
+            let image =
+                image::load_from_memory_with_format(png, ImageFormat::Png).ok()?;
             Some(image.into_rgb8())
         }
         _ => None,
@@ -167,7 +173,8 @@ fn difference(book: &RgbImage, yours: &RgbImage) -> String {
 fn save_difference(name: &str, book: &RgbImage, yours: &RgbImage) -> PathBuf {
     let (width, height) = book.dimensions();
     let sheet = RgbImage::from_fn(3 * width, height, |x, y| {
-        let (expected, actual) = (book.get_pixel(x % width, y), yours.get_pixel(x % width, y));
+        let (expected, actual) =
+            (book.get_pixel(x % width, y), yours.get_pixel(x % width, y));
         match x / width {
             0 => *expected,
             1 => *actual,

@@ -21,7 +21,8 @@ use x11rb::protocol::xproto::{
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 
-const SPHERE_HIT: (&str, &Stage) = (env!("CARGO_BIN_EXE_02-sphere-hit"), &sphere_hit::STAGE);
+const SPHERE_HIT: (&str, &Stage) =
+    (env!("CARGO_BIN_EXE_02-sphere-hit"), &sphere_hit::STAGE);
 const SHADING: (&str, &Stage) = (env!("CARGO_BIN_EXE_05-shading"), &shading::STAGE);
 
 /// X's names of keys, from its keysymdef.h. A digit's or a letter's is its ASCII code.
@@ -118,7 +119,8 @@ impl Screen {
         let count = self.x.setup().max_keycode - first + 1;
         let cookie = self.x.get_keyboard_mapping(first, count).expect("sent");
         let mapping = cookie.reply().expect("the keyboard's mapping");
-        let mut codes = (first..).zip(mapping.keysyms.chunks(mapping.keysyms_per_keycode.into()));
+        let mut codes =
+            (first..).zip(mapping.keysyms.chunks(mapping.keysyms_per_keycode.into()));
         let (code, _) = codes
             .find(|(_, symbols)| symbols[0] == symbol)
             .expect("such a key");
@@ -141,7 +143,11 @@ struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     #[track_caller]
-    fn new(screen: &'a Screen, chapter: (&str, &'static Stage), arguments: &[&str]) -> Self {
+    fn new(
+        screen: &'a Screen,
+        chapter: (&str, &'static Stage),
+        arguments: &[&str],
+    ) -> Self {
         let (binary, stage) = chapter;
         let folder = tempfile::tempdir().expect("a temporary folder");
         let process = Command::new(binary)
@@ -168,7 +174,8 @@ impl<'a> Shown<'a> {
         // There is no window manager that would give it the keyboard. It must be on the screen first.
         wait_for("the focus", || {
             let x = &screen.x;
-            let focus = x.set_input_focus(InputFocus::PARENT, window, x11rb::CURRENT_TIME);
+            let focus =
+                x.set_input_focus(InputFocus::PARENT, window, x11rb::CURRENT_TIME);
             focus.ok()?.check().ok()
         });
         Self {
@@ -208,8 +215,12 @@ impl<'a> Shown<'a> {
     fn press_close_button(&self) {
         let protocols = self.screen.atom("WM_PROTOCOLS");
         let close = self.screen.atom("WM_DELETE_WINDOW");
-        let event =
-            xproto::ClientMessageEvent::new(32, self.window, protocols, [close, 0, 0, 0, 0]);
+        let event = xproto::ClientMessageEvent::new(
+            32,
+            self.window,
+            protocols,
+            [close, 0, 0, 0, 0],
+        );
         let x = &self.screen.x;
         x.send_event(false, self.window, EventMask::NO_EVENT, event)
             .expect("sent")
@@ -389,7 +400,8 @@ fn p_in_the_middle_of_a_picture_saves_it_when_it_is_done() {
 fn a_picture_that_cannot_be_saved_leaves_the_window_open() {
     let Some(screen) = Screen::new() else { return };
     let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
-    fs::create_dir(shown.folder.path().join("05-shading--combined.png")).expect("a folder");
+    fs::create_dir(shown.folder.path().join("05-shading--combined.png"))
+        .expect("a folder");
     shown.press('p'.into(), &["05-shading--combined.png: it is a folder"]);
     shown.press(TAB, &["| ambient |", DONE[0]]);
     let (stdout, stderr) = shown.close_with_escape();
@@ -410,7 +422,9 @@ fn a_resized_window_keeps_the_pictures_shape() {
         let expected: Vec<_> = (0..height)
             .flat_map(|y| (0..width).map(move |x| (x, y)))
             .map(|(x, y)| match (x.checked_sub(left), y.checked_sub(top)) {
-                (Some(x), Some(y)) if x < 800 && y < 600 => picture[(y / 2 * 400 + x / 2) as usize],
+                (Some(x), Some(y)) if x < 800 && y < 600 => {
+                    picture[(y / 2 * 400 + x / 2) as usize]
+                }
                 _ => [0; 3],
             })
             .collect();
@@ -422,7 +436,8 @@ fn a_resized_window_keeps_the_pictures_shape() {
         let pixels = (width * height) as usize;
         wait_for("the new size", || {
             let shown = shown.pixels()?;
-            (shown.len() == pixels && shown.iter().any(|&pixel| pixel != [0; 3])).then_some(())
+            (shown.len() == pixels && shown.iter().any(|&pixel| pixel != [0; 3]))
+                .then_some(())
         });
     }
     shown.assert_shows("the picture in its own size", &picture);
@@ -479,7 +494,8 @@ fn it_stays_open_while_nothing_happens() {
     let (before, start) = (spent(), Instant::now());
     sleep(Duration::from_secs(3));
     let share = 100.0 * (spent() - before) / start.elapsed().as_secs_f64();
-    writeln!(std::io::stderr(), "idle at 800x600: {share:.1} % of a core").expect("stderr");
+    writeln!(std::io::stderr(), "idle at 800x600: {share:.1} % of a core")
+        .expect("stderr");
     assert!(shown.process.0.try_wait().expect("a process").is_none());
     assert_eq!(shown.close_with_escape(), Default::default());
 }

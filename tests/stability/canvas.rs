@@ -9,7 +9,8 @@ fn encode(light: f32) -> u8 {
 
 /// The least f32 that is encoded to `wanted`, by the definition: its level, rounded, half up.
 fn threshold(wanted: u8) -> f32 {
-    let reaches = |bits| level(f64::from(f32::from_bits(bits))) >= f64::from(wanted) - 0.5;
+    let reaches =
+        |bits| level(f64::from(f32::from_bits(bits))) >= f64::from(wanted) - 0.5;
     let (mut below, mut above) = (0, 1.0_f32.to_bits());
     while above - below > 1 {
         let middle = below.midpoint(above);
@@ -58,7 +59,8 @@ fn encoding_is_rounded_and_monotone() {
 #[test]
 fn half_the_light_is_level_188() {
     assert_eq!(encode(0.5), 188);
-    for (light, encoded) in [(0.0, 0), (1.0, 255), (1.0_f32.next_down(), 255), (2.0, 255)] {
+    for (light, encoded) in [(0.0, 0), (1.0, 255), (1.0_f32.next_down(), 255), (2.0, 255)]
+    {
         assert_eq!(encode(light), encoded);
     }
     for light in [-0.0, -1.0, -1e-45, f32::NEG_INFINITY, f32::NAN, 1e-45] {

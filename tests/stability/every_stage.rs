@@ -47,7 +47,8 @@ fn every_knob_begins_and_is_pinned_within_its_range() {
 #[test]
 fn every_knob_turns_from_end_to_end() {
     for knob in views().filter_map(|(_, view)| view.knob.as_ref()) {
-        for (start, up, end) in [(knob.min, true, knob.max), (knob.max, false, knob.min)] {
+        for (start, up, end) in [(knob.min, true, knob.max), (knob.max, false, knob.min)]
+        {
             let mut setting = start;
             for _ in 0..1000 {
                 let turned = knob.turned(setting, up);

@@ -55,7 +55,8 @@ fn t_by_stored_offset(plane: &Plane, ray: &Ray) -> f32 {
 fn a_far_point_of_the_plane_does_as_well_but_not_its_offset() {
     let ray = ray([3.0, 4.0, 0.0], [-0.6, -0.8, 0.0]);
     let normal = Vec3::new(0.6, 0.8, 0.0);
-    let [here, far] = [Vec3::ZERO, Vec3::new(-8e5, 6e5, 0.0)].map(|point| Plane { point, normal });
+    let [here, far] =
+        [Vec3::ZERO, Vec3::new(-8e5, 6e5, 0.0)].map(|point| Plane { point, normal });
     for plane in [here, far] {
         let t = plane.hit(&ray, FARTHEST).expect("a hit").t;
         assert!((f64::from(t) - 5.0).abs() <= 8.0 * ulp(5.0), "{t}");
@@ -99,7 +100,8 @@ fn above(
 
 /// The error of a t, relative to the exact one.
 fn relative_error(plane: &Plane, ray: &Ray, t: f32) -> f64 {
-    let exact = oracle::exact::plane(ray.origin, ray.direction, plane.point, plane.normal);
+    let exact =
+        oracle::exact::plane(ray.origin, ray.direction, plane.point, plane.normal);
     let exact = exact.expect("a hit");
     (f64::from(t) - exact).abs() / exact
 }
@@ -177,7 +179,8 @@ fn in_the_plane_no_square_is_wrong_and_in_space_some_percent_are() {
     let [mut in_plane, mut in_space] = [0, 0];
     for &(ray, t) in &points {
         let exact = oracle::exact::plane(ray.origin, ray.direction, Vec3::NEG_Y, Vec3::Y);
-        let exact = ray.origin.as_dvec3() + exact.expect("a hit") * ray.direction.as_dvec3();
+        let exact =
+            ray.origin.as_dvec3() + exact.expect("a hit") * ray.direction.as_dvec3();
         let truth = (exact.x.floor() + exact.z.floor()) % 2.0 == 0.0;
         let to_edge = [exact.x, exact.z].map(|x| (x - x.round()).abs());
         if to_edge.iter().any(|&x| x <= 2.0 * EPS * f64::from(t)) {
@@ -214,7 +217,8 @@ fn squares_alternate_also_below_zero_and_far_away() {
 #[test]
 fn in_space_the_checkered_floor_is_speckled() {
     let view = |name| &STAGE.views[STAGE.find(name).expect("the view")];
-    let paint = |name| Canvas::paint(&(view(name).picture)(0.0), UVec2::new(320, 240)).light;
+    let paint =
+        |name| Canvas::paint(&(view(name).picture)(0.0), UVec2::new(320, 240)).light;
     let [bug, cure] = ["checker-in-space", "checker-in-plane"].map(paint);
     let floor = cure.iter().filter(|&&light| light != SKY).count();
     let speckles = bug

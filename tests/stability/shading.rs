@@ -37,7 +37,9 @@ fn highlight_at(r_dot_v: f32, shininess: u32) -> f32 {
 /// tenth power is positive; and 0.5²⁰⁰ = 6·10⁻⁶¹ is 0 in f32.
 #[test]
 fn a_highlight_is_a_power_of_a_positive_cosine() {
-    assert!((f64::from(highlight_at(0.9, 10)) - 0.348_678_440_1).abs() <= 10.0 * EPS * 0.35);
+    assert!(
+        (f64::from(highlight_at(0.9, 10)) - 0.348_678_440_1).abs() <= 10.0 * EPS * 0.35
+    );
     assert_eq!(highlight_at(-0.9, 10), 0.0);
     assert!(power(-0.9, 10) > 0.3);
     assert_eq!(highlight_at(0.5, 200), 0.0);

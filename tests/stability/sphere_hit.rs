@@ -1,6 +1,8 @@
 //! Chapter 2: the slide's formula, the stable one, and the same in f64.
 
-use crate::common::{Aimed, EPS, aimed, cases, magnitude, ray, special, special_vector, ulp, unit};
+use crate::common::{
+    Aimed, EPS, aimed, cases, magnitude, ray, special, special_vector, ulp, unit,
+};
 use ::ray_casting::{Ray, SKY};
 use ::sphere_hit::{FARTHEST, Hit, STAGE, Sphere, facing};
 use canvas::Canvas;
@@ -198,8 +200,9 @@ fn what_is_no_ray_or_no_sphere_is_not_hit() {
         ..UNIT_SPHERE
     };
     for form in FORMS {
-        let is_hit =
-            |sphere, origin, direction| form(&sphere, &ray(origin, direction), FARTHEST).is_some();
+        let is_hit = |sphere, origin, direction| {
+            form(&sphere, &ray(origin, direction), FARTHEST).is_some()
+        };
         assert!(!is_hit(UNIT_SPHERE, [0.0, 0.0, 5.0], [0.0; 3]));
         assert!(!is_hit(UNIT_SPHERE, [0.0, 0.0, 5.0], [0.0, 0.0, f32::NAN]));
         assert!(!is_hit(
@@ -239,7 +242,8 @@ fn is_wrong_beyond(aimed: &Aimed, form: Form, margin: f64) -> bool {
 /// Approaches all over the sphere and beside it, and as many so near its edge that rounding matters.
 fn any_approach() -> impl Strategy<Value = f64> {
     let near_edge = (magnitude(-8.0..0.0), any::<bool>());
-    let near_edge = near_edge.prop_map(|(by, more)| if more { 1.0 + by } else { 1.0 - by });
+    let near_edge =
+        near_edge.prop_map(|(by, more)| if more { 1.0 + by } else { 1.0 - by });
     prop_oneof![0.0..2.0, near_edge]
 }
 

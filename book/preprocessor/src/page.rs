@@ -6,7 +6,8 @@ use pulldown_cmark::{Event, Options, Parser, Tag};
 
 /// Replaces a page's formulas, figures and table of chapters.
 pub fn prepare(markdown: &str) -> Result<String> {
-    let options = Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
+    let options =
+        Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
     let mut prepared = String::new();
     let mut done = 0;
     for (event, place) in Parser::new_ext(markdown, options).into_offset_iter() {
@@ -80,8 +81,10 @@ mod a_page {
 
     #[test]
     fn gets_a_figure_for_each_view() {
-        let page = prepare("Before.\n\n{{#figure 02-sphere-hit flat far-slide=10000}}\n\nAfter.\n")
-            .unwrap();
+        let page = prepare(
+            "Before.\n\n{{#figure 02-sphere-hit flat far-slide=10000}}\n\nAfter.\n",
+        )
+        .unwrap();
         for expected in [
             r#"<a href="pictures/02-sphere-hit--flat.snap.png">"#,
             r#"width="800" height="600""#,

@@ -20,7 +20,9 @@ fn the_built_book_needs_no_network_and_has_no_loose_ends() {
         .env_remove("RUST_LOG")
         .output();
     let built = match built {
-        Err(problem) if problem.kind() == ErrorKind::NotFound && env::var_os("CI").is_none() => {
+        Err(problem)
+            if problem.kind() == ErrorKind::NotFound && env::var_os("CI").is_none() =>
+        {
             // Not `eprintln!`: the test harness would keep it to itself.
             let _ = writeln!(
                 io::stderr(),
@@ -30,7 +32,8 @@ fn the_built_book_needs_no_network_and_has_no_loose_ends() {
         }
         built => built.expect("mdbook runs"),
     };
-    let said = String::from_utf8_lossy(&[built.stdout, built.stderr].concat()).into_owned();
+    let said =
+        String::from_utf8_lossy(&[built.stdout, built.stderr].concat()).into_owned();
     assert!(
         built.status.success() && !said.contains("WARN") && !said.contains("ERROR"),
         "`mdbook build book` is not content:\n{said}"
@@ -191,7 +194,10 @@ fn files_in(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-fn with_ending<'a>(files: &'a [PathBuf], ending: &'a str) -> impl Iterator<Item = &'a PathBuf> {
+fn with_ending<'a>(
+    files: &'a [PathBuf],
+    ending: &'a str,
+) -> impl Iterator<Item = &'a PathBuf> {
     files
         .iter()
         .filter(move |file| file.extension().is_some_and(|it| it == ending))

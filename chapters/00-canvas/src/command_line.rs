@@ -254,12 +254,13 @@ fn save_all(stage: &Stage, size: UVec2, folder: &Path) -> Result<(), Failure> {
         check_destination(&path_of(view)).map_err(Failure::Failed)?;
     }
     // indicatif draws the bar on a terminal only.
-    let style =
-        ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}").expect("a valid template");
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}")
+        .expect("a valid template");
     let progress = ProgressBar::new(stage.views.len() as u64).with_style(style);
     for view in stage.views {
         progress.set_message(view.name);
-        progress.suspend(|| save_one(view, view.default_setting(), size, &path_of(view)))?;
+        progress
+            .suspend(|| save_one(view, view.default_setting(), size, &path_of(view)))?;
         progress.inc(1);
     }
     progress.finish_and_clear();

@@ -11,7 +11,7 @@ pub mod views;
 mod window;
 
 pub use command_line::run;
-pub use srgb::encode;
+pub use srgb::{decode, encode};
 pub use stage::{Knob, Scale, Stage, View};
 pub use views::STAGE;
 

@@ -82,3 +82,14 @@ pub fn encode(light: Vec3) -> [u8; 3] {
     light.to_array().map(encode_channel)
 }
 // ANCHOR_END: encode
+
+// ANCHOR: decode
+/// The least linear light that is encoded to `level`.
+#[must_use]
+pub fn decode(level: u8) -> f32 {
+    match level.checked_sub(1) {
+        Some(below) => THRESHOLDS[below as usize],
+        None => 0.0,
+    }
+}
+// ANCHOR_END: decode

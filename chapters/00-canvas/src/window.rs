@@ -17,7 +17,12 @@ const LARGEST_WINDOW: UVec2 = UVec2::new(1280, 960);
 /// Opens a window that shows `stage`, and returns when it is closed.
 ///
 /// Returns why, in a few words, if no window can be opened.
-pub fn open(stage: &'static Stage, index: usize, setting: f32, size: UVec2) -> Result<(), String> {
+pub fn open(
+    stage: &'static Stage,
+    index: usize,
+    setting: f32,
+    size: UVec2,
+) -> Result<(), String> {
     let options = WindowOptions {
         resize: true,
         scale_mode: ScaleMode::AspectRatioStretch,
@@ -41,7 +46,9 @@ pub fn open(stage: &'static Stage, index: usize, setting: f32, size: UVec2) -> R
                 Key::P => preview.save_when_done = true,
                 Key::Tab => preview.show((preview.index + 1) % stage.views.len()),
                 key => {
-                    if let Some(index) = digit(key).filter(|&index| index < stage.views.len()) {
+                    if let Some(index) =
+                        digit(key).filter(|&index| index < stage.views.len())
+                    {
                         preview.show(index);
                     }
                 }
@@ -108,7 +115,8 @@ struct Preview {
 
 impl Preview {
     fn new(stage: &'static Stage, index: usize, setting: f32, size: UVec2) -> Self {
-        let mut settings: Vec<f32> = stage.views.iter().map(View::default_setting).collect();
+        let mut settings: Vec<f32> =
+            stage.views.iter().map(View::default_setting).collect();
         settings[index] = setting;
         let canvas = Canvas::black(size);
         let mut preview = Self {
@@ -161,7 +169,8 @@ impl Preview {
             match rows.try_recv() {
                 Ok(row) => {
                     let start = row.y as usize * self.canvas.size.x as usize;
-                    for (pixel, level) in self.screen[start..].iter_mut().zip(&row.levels) {
+                    for (pixel, level) in self.screen[start..].iter_mut().zip(&row.levels)
+                    {
                         *pixel = u32::from_be_bytes([0, level[0], level[1], level[2]]);
                     }
                     self.canvas.put(&row);
@@ -205,9 +214,11 @@ impl Preview {
     fn name(&self) -> String {
         let name = format!("{} | {}", self.stage.name, self.view().name);
         match &self.view().knob {
-            Some(knob) => format!("{name} | {} {} {}", knob.name, self.setting(), knob.unit)
-                .trim_end()
-                .to_string(),
+            Some(knob) => {
+                format!("{name} | {} {} {}", knob.name, self.setting(), knob.unit)
+                    .trim_end()
+                    .to_string()
+            }
             None => name,
         }
     }

@@ -96,7 +96,8 @@ impl Camera {
     #[must_use]
     pub fn ray(&self, point: Vec2) -> Ray {
         canvas::count_ray();
-        let direction = point.x * self.right + point.y * self.up + self.focal_length * self.forward;
+        let direction =
+            point.x * self.right + point.y * self.up + self.focal_length * self.forward;
         Ray {
             origin: self.eye,
             direction: direction.normalize(),

@@ -40,7 +40,8 @@ impl Plane {
     /// Source: the talk's "Plane-Ray intersection" slides.
     #[must_use]
     pub fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
-        let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
+        let t =
+            (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
         // Beside the plane t is infinite, in it NaN: both are rejected here.
         if !(t > 0.0 && t < t_max) {
             return None;
@@ -90,7 +91,10 @@ impl Shape {
 /// The object that the ray meets first, and where; of two at the same distance, the first
 /// in the list.
 #[must_use]
-pub fn nearest<'a, M>(objects: &'a [Object<M>], ray: &Ray) -> Option<(&'a Object<M>, Hit)> {
+pub fn nearest<'a, M>(
+    objects: &'a [Object<M>],
+    ray: &Ray,
+) -> Option<(&'a Object<M>, Hit)> {
     let mut nearest = None;
     let mut t_max = FARTHEST;
     for object in objects {

@@ -34,13 +34,13 @@ pub struct Scene<M> {
 // ANCHOR_END: scene
 
 // ANCHOR: shadow-ray
-/// How far from a surface, along its normal, a shadow ray starts: a thousandth of a ball
-/// of radius 1.
+/// How far from a surface, along its normal, a shadow ray starts: a ten-thousandth of a
+/// ball of radius 1.
 ///
 /// A computed hit lies a little above or below the surface, and from below the surface
 /// would shadow itself. A fixed distance is right for scenes about as large as ours, and
 /// for no other: chapter 10 shows where it fails, and the cure.
-pub const OFFSET: f32 = 1e-3;
+pub const OFFSET: f32 = 1e-4;
 
 /// The ray from a `point` on a surface towards a light, and the distance to go; `None`
 /// for a light behind the surface, which hides it: from above the surface, a ray could
@@ -70,7 +70,12 @@ fn is_blocked<M>(scene: &Scene<M>, ray: &Ray, t_max: f32) -> bool {
 ///
 /// Source: the talk's "Now with Shadows" slide.
 #[must_use]
-pub fn light_reaches<M>(scene: &Scene<M>, point: Vec3, normal: Vec3, light: &PointLight) -> bool {
+pub fn light_reaches<M>(
+    scene: &Scene<M>,
+    point: Vec3,
+    normal: Vec3,
+    light: &PointLight,
+) -> bool {
     shadow_ray(point, normal, light)
         .is_some_and(|(ray, distance)| !is_blocked(scene, &ray, distance))
 }
@@ -86,7 +91,8 @@ pub fn light_reaches_buggy<M>(
     normal: Vec3,
     light: &PointLight,
 ) -> bool {
-    shadow_ray(point, normal, light).is_some_and(|(ray, _)| !is_blocked(scene, &ray, FARTHEST))
+    shadow_ray(point, normal, light)
+        .is_some_and(|(ray, _)| !is_blocked(scene, &ray, FARTHEST))
 }
 // ANCHOR_END: buggy
 

@@ -55,7 +55,11 @@ pub fn lit_still_life<M>(materials: [M; 6]) -> Scene<M> {
     }
 }
 
-fn picture_of(scene: Scene<Pattern>, camera: Camera, reaches: Reaches<Pattern>) -> Picture {
+fn picture_of(
+    scene: Scene<Pattern>,
+    camera: Camera,
+    reaches: Reaches<Pattern>,
+) -> Picture {
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reaches))
 }
 
@@ -68,7 +72,9 @@ fn still_life_by(reaches: Reaches<Pattern>) -> Picture {
 fn lamp_between_balls(reaches: Reaches<Pattern>) -> Picture {
     let ball = |name, height, colour| Object {
         name,
-        shape: Shape::Sphere(Sphere::new(Vec3::new(0.0, height, 0.0), 0.5).expect("a sphere")),
+        shape: Shape::Sphere(
+            Sphere::new(Vec3::new(0.0, height, 0.0), 0.5).expect("a sphere"),
+        ),
         material: Pattern::Plain(colour),
     };
     let floor = Object {

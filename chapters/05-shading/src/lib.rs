@@ -62,7 +62,13 @@ pub fn power(base: f32, exponent: u32) -> f32 {
 ///
 /// Source: the talk's "Shading" slides.
 #[must_use]
-pub fn lit(surface: &Phong, colour: Vec3, incident: Vec3, normal: Vec3, to_light: Vec3) -> Vec3 {
+pub fn lit(
+    surface: &Phong,
+    colour: Vec3,
+    incident: Vec3,
+    normal: Vec3,
+    to_light: Vec3,
+) -> Vec3 {
     let cos_theta_l = normal.dot(to_light);
     if !(cos_theta_l > 0.0) {
         return Vec3::ZERO;

@@ -82,8 +82,9 @@ impl Quadratic {
 
     fn meeting(&self, t: &Real) -> Meeting {
         let radius = rounded(&self.radius);
-        let component =
-            |i| to_f64(&((rounded(&self.oc[i]) + t * rounded(&self.direction[i])) / &radius));
+        let component = |i| {
+            to_f64(&((rounded(&self.oc[i]) + t * rounded(&self.direction[i])) / &radius))
+        };
         Meeting {
             t: to_f64(t),
             normal: DVec3::from_array(std::array::from_fn(component)),
@@ -93,7 +94,12 @@ impl Quadratic {
 
 /// The sign of the discriminant: a line that passes the sphere by is `Less`, a tangent `Equal`.
 #[must_use]
-pub fn discriminant(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> Ordering {
+pub fn discriminant(
+    origin: Vec3,
+    direction: Vec3,
+    centre: Vec3,
+    radius: f32,
+) -> Ordering {
     let discriminant = Quadratic::new(origin, direction, centre, radius).discriminant();
     discriminant.cmp(&Real::ZERO)
 }
@@ -113,7 +119,12 @@ pub fn approach(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> f64
 ///
 /// `None` for a miss, or for a direction of zero.
 #[must_use]
-pub fn sphere(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> Option<[Meeting; 2]> {
+pub fn sphere(
+    origin: Vec3,
+    direction: Vec3,
+    centre: Vec3,
+    radius: f32,
+) -> Option<[Meeting; 2]> {
     let quadratic = Quadratic::new(origin, direction, centre, radius);
     let discriminant = quadratic.discriminant();
     if discriminant < Real::ZERO || quadratic.a == Real::ZERO {
@@ -164,7 +175,8 @@ mod tests {
         assert_eq!([near.t, far.t], [8.0, 32.0]);
         assert_eq!(near.normal, DVec3::new(5.0 / 13.0, -12.0 / 13.0, 0.0));
         let [twice_as_long, _] =
-            sphere(vec3(5.0, -20.0, 0.0), 2.0 * Vec3::Y, Vec3::ZERO, 13.0).expect("a chord");
+            sphere(vec3(5.0, -20.0, 0.0), 2.0 * Vec3::Y, Vec3::ZERO, 13.0)
+                .expect("a chord");
         assert_eq!(twice_as_long.t, 4.0);
     }
 
@@ -184,7 +196,8 @@ mod tests {
     fn roots_on_both_sides_are_found_at_any_scale() {
         for scale in [f32::MIN_POSITIVE, 1.0, (1u128 << 120) as f32] {
             let inside = vec3(0.5, 0.0, 0.0) * scale;
-            let [near, far] = sphere(inside, scale * Vec3::X, Vec3::ZERO, scale).expect("a chord");
+            let [near, far] =
+                sphere(inside, scale * Vec3::X, Vec3::ZERO, scale).expect("a chord");
             assert_eq!([near.t, far.t], [-1.5, 0.5]);
         }
         let [near, far] = sphere(Vec3::X, Vec3::Y, Vec3::ZERO, 1.0).expect("a tangent");
@@ -195,7 +208,8 @@ mod tests {
     /// t = (x₀ − o)·n / (d·n), and no answer beside the plane.
     #[test]
     fn a_plane_is_met_once_or_never() {
-        let from = |direction| plane(vec3(0.0, 3.0, 0.0), direction, Vec3::ZERO, 2.0 * Vec3::Y);
+        let from =
+            |direction| plane(vec3(0.0, 3.0, 0.0), direction, Vec3::ZERO, 2.0 * Vec3::Y);
         assert_eq!(from(vec3(1.0, -1.0, 0.0)), Some(3.0));
         assert_eq!(from(Vec3::Y), Some(-3.0));
         assert_eq!(from(Vec3::X), None);

@@ -1,0 +1,166 @@
+// ANCHOR: head
+//! Coloured glass: it keeps some of the light that goes through, and its shadow has its
+//! colour.
+
+pub mod views;
+pub use views::STAGE;
+
+use fresnel::fresnel;
+use glam::Vec3;
+use plane_hit::{Object, Shape};
+use reflection::{Reach, reflect};
+use refraction::{Body, Crossing, Material, refract};
+use shading::lit;
+use shadow_acne::{Leaving, from_the_surface, other_hit};
+use shadows::{PointLight, Scene};
+use sphere_hit::facing;
+// ANCHOR_END: head
+
+// ANCHOR: absorb
+/// What is left of light after a way of some length through a medium: e^(−a d), for red,
+/// green and blue.
+///
+/// `absorption` is what is lost in a unit of length, as a rate, at least 0.
+///
+/// Source: Beer–Lambert law (Bouguer 1729).
+#[must_use]
+pub fn transmittance(absorption: Vec3, distance: f32) -> Vec3 {
+    (-absorption * distance).map(libm::expf)
+}
+// ANCHOR_END: absorb
+
+// ANCHOR: material
+/// A material whose inside may have a colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tinted {
+    /// Its surface, and what becomes of light there.
+    pub material: Material,
+    /// How fast its inside takes up red, green and blue light, for each unit of length.
+    pub absorption: Vec3,
+}
+// ANCHOR_END: material
+
+// ANCHOR: through
+/// What is left of a lamp's light on a straight way of length `distance` to it: nothing
+/// behind anything opaque, and what clear things on the way let through.
+///
+/// Straight: what a clear thing would bend elsewhere, and what its surface would mirror,
+/// is left out. So a ball of glass throws a shadow of its colour, but no bright spot in
+/// it.
+#[must_use]
+pub fn light_through(
+    scene: &Scene<Tinted>,
+    ray: &Leaving<Tinted>,
+    distance: f32,
+) -> Vec3 {
+    let mut light = Vec3::ONE;
+    for object in &scene.objects {
+        let Some(inside) = way_inside(object, ray, distance) else {
+            continue;
+        };
+        match object.material.material.body {
+            Body::Opaque { .. } => return Vec3::ZERO,
+            Body::Clear { .. } => {
+                light *= transmittance(object.material.absorption, inside)
+            }
+        }
+    }
+    light
+}
+
+/// How long the ray is inside an object on its way of some `distance`; `None` if they
+/// never meet.
+fn way_inside(
+    object: &Object<Tinted>,
+    ray: &Leaving<Tinted>,
+    distance: f32,
+) -> Option<f32> {
+    let hit = ray.hit(object, distance)?;
+    let leaves = hit.normal.dot(ray.ray.direction) > 0.0;
+    match &object.shape {
+        _ if leaves => Some(hit.t),
+        Shape::Plane(_) => Some(distance - hit.t),
+        Shape::Sphere(sphere) => {
+            let entered = from_the_surface(
+                object,
+                ray.ray.at(hit.t),
+                hit.normal,
+                ray.ray.direction,
+            );
+            let left = distance - hit.t;
+            Some(other_hit(sphere, &entered.ray, left).map_or(left, |exit| exit.t))
+        }
+    }
+}
+// ANCHOR_END: through
+
+// ANCHOR: trace
+/// What a ray brings back: the light of what it meets first, and what is seen in it and
+/// through it.
+#[must_use]
+pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> Vec3 {
+    let Some((object, hit)) = leaving.nearest(&scene.objects) else {
+        return scene.background;
+    };
+    let Tinted {
+        material: Material { phong, body },
+        absorption,
+    } = &object.material;
+    let incident = leaving.ray.direction;
+    let point = leaving.ray.at(hit.t);
+    let normal = facing(hit.normal, incident);
+    // All that comes from here has come the ray's way, through whatever the ray has been
+    // in.
+    let on_the_way = if hit.normal.dot(incident) > 0.0 {
+        transmittance(*absorption, hit.t)
+    } else {
+        Vec3::ONE
+    };
+
+    let colour = phong.colour.at(point);
+    let mut light = phong.ambient * colour;
+    for PointLight {
+        position,
+        intensity,
+    } in &scene.lights
+    {
+        let to_light = *position - point;
+        let direction = to_light.normalize();
+        let lit = lit(phong, colour, incident, normal, direction);
+        if lit != Vec3::ZERO {
+            canvas::count_ray();
+            let ray = from_the_surface(object, point, hit.normal, direction);
+            light += *intensity * lit * light_through(scene, &ray, to_light.length());
+        }
+    }
+
+    let from = |share: f32, direction: Vec3| match reach
+        .after(share * on_the_way.max_element())
+    {
+        Some(reach) => {
+            canvas::count_ray();
+            let leaving = from_the_surface(object, point, hit.normal, direction);
+            share * trace(scene, leaving, reach)
+        }
+        None => Vec3::ZERO,
+    };
+    on_the_way
+        * match *body {
+            Body::Opaque { reflectivity } => {
+                light + from(reflectivity, reflect(incident, normal))
+            }
+            Body::Clear { inside, outside } => {
+                let Crossing { eta_i, eta_t, .. } =
+                    Crossing::new(incident, hit.normal, inside, outside);
+                let mirrored = reflect(incident, normal);
+                match refract(incident, normal, eta_i / eta_t) {
+                    Some(refracted) => {
+                        let share = fresnel(-normal.dot(incident), eta_i, eta_t);
+                        light + from(share, mirrored) + from(1.0 - share, refracted)
+                    }
+                    None => light + from(1.0, mirrored),
+                }
+            }
+        }
+}
+// ANCHOR_END: trace
