@@ -28,7 +28,11 @@ impl Numbers {
 
 /// A share of a whole, as a percentage with three digits.
 pub fn percent(part: usize, whole: usize) -> String {
-    format!("{} %", three_digits(100.0 * part as f64 / whole as f64))
+    // With a space at which no line breaks.
+    format!(
+        "{}\u{a0}%",
+        three_digits(100.0 * part as f64 / whole as f64)
+    )
 }
 
 /// A number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.

@@ -108,7 +108,7 @@ pub fn nearest<'a, M>(
 // ANCHOR_END: nearest
 
 // ANCHOR: checker
-/// Whether a point of a floor is on an even square of a checkerboard; `uv` are two
+/// Whether a point of a floor is on an even square of a chequerboard; `uv` are two
 /// coordinates in its plane.
 ///
 /// The parity is taken in floats: an integer cannot hold the squares near the horizon.

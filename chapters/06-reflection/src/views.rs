@@ -47,7 +47,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "inside-slide",
-            caption: "Inside a mirror sphere with a checkered skin, after some bounces by the slides' formulas. \
+            caption: "Inside a mirror sphere with a chequered skin, after some bounces by the slides' formulas. \
                       Black: lost.",
             knob: Some(BOUNCES),
             picture: |bounces| inside_a_sphere(bounces, reflect_by_slide),
@@ -171,7 +171,7 @@ pub fn facing_mirrors(reflectivity: f32) -> (Scene<Mirror>, Camera) {
     (scene, camera)
 }
 
-/// What is seen from inside a mirror sphere whose skin is checkered, after a number of bounces.
+/// What is seen from inside a mirror sphere whose skin is chequered, after a number of bounces.
 fn inside_a_sphere(bounces: f32, reflect: fn(Vec3, Vec3) -> Vec3) -> Picture {
     let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
     let eye = Vec3::new(0.0, 0.0, -0.6);

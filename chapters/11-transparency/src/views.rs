@@ -44,7 +44,7 @@ const ABSORPTION: Knob = Knob {
 };
 
 /// What amber glass takes up of red, green and blue in a unit of length, at an absorption of 1.
-const AMBER: Vec3 = Vec3::new(0.1, 0.7, 2.5);
+pub const AMBER: Vec3 = Vec3::new(0.1, 0.7, 2.5);
 
 fn picture_of(absorption: f32, camera: Camera) -> Picture {
     let scene = tinted_still_life(absorption * AMBER);
