@@ -1,6 +1,6 @@
 //! The book's source: its listings are the chapters' code, and its pictures exist.
 
-use canvas::Stage;
+use canvas::{Stage, View};
 use light_backwards::STAGES;
 use pulldown_cmark::{Event, Parser, Tag};
 use std::collections::BTreeSet;
@@ -73,31 +73,53 @@ mod the_source {
     #[test]
     fn shows_only_pictures_that_exist_and_every_view_of_every_chapter() {
         let mut problems = Vec::new();
-        let mut shown = BTreeSet::new();
         for page in pages() {
             for command in commands(&read(&page), "figure") {
-                let mut words = command.split_whitespace();
-                let name = words.next().unwrap_or_default();
-                for word in words {
-                    let (view, picture) = picture(name, word);
+                for (stage, word) in figure(&command) {
+                    let picture = picture(stage, word);
                     if !book().join(&picture).is_file() {
                         problems.push(format!(
-                            "{page}: {name} {word} has no picture {picture}"
+                            "{page}: {stage} {word} has no picture {picture}"
                         ));
                     }
-                    shown.insert((page.clone(), view));
                 }
             }
         }
         for stage in STAGES {
+            let shown = views_of(stage, &read(&page_of(stage)));
             for view in stage.views {
-                if !shown.contains(&(page_of(stage), view.name.to_string())) {
+                if !shown.contains(view.name) {
                     problems.push(format!(
                         "{} does not show “{}”",
                         page_of(stage),
                         view.name
                     ));
                 }
+            }
+        }
+        none(&problems);
+    }
+
+    /// A bug is a view whose caption says so, and whatever its chapter shows of what goes wrong.
+    #[test]
+    fn collects_every_bug_on_the_page_for_when_things_go_wrong() {
+        const COLLECTION: &str = "when-things-go-wrong.md";
+        let mut problems = Vec::new();
+        for stage in STAGES {
+            let page = read(&page_of(stage));
+            let mut sections = page.split("\n## ");
+            let section = sections.find(|section| section.starts_with("What goes wrong"));
+            let mut bugs = views_of(stage, section.unwrap_or_default());
+            let says_so = |view: &&View| {
+                view.caption.starts_with("The bug") || view.caption.contains("failed")
+            };
+            let captioned = stage.views.iter().filter(says_so);
+            bugs.extend(captioned.map(|view| view.name.to_string()));
+            for missing in bugs.difference(&views_of(stage, &read(COLLECTION))) {
+                problems.push(format!(
+                    "{COLLECTION} does not show {} {missing}",
+                    stage.name
+                ));
             }
         }
         none(&problems);
@@ -181,8 +203,25 @@ fn anchor_in<'a>(line: &'a str, keyword: &str) -> Option<&'a str> {
     line.split_once(keyword)?.1.split_whitespace().next()
 }
 
-/// The view and the picture's file of one `VIEW` or `VIEW=KNOB` in a figure.
-fn picture(stage: &str, word: &str) -> (String, String) {
+/// The stage of a figure with each `VIEW` or `VIEW=KNOB` in it.
+fn figure(command: &str) -> impl Iterator<Item = (&str, &str)> {
+    let mut words = command.split_whitespace();
+    let stage = words.next().unwrap_or_default();
+    words.map(move |word| (stage, word))
+}
+
+/// The views of a stage that a page, or a part of one, has figures of.
+fn views_of(stage: &Stage, page: &str) -> BTreeSet<String> {
+    let figures = commands(page, "figure");
+    let views = figures.iter().flat_map(|command| figure(command));
+    views
+        .filter(|&(name, _)| name == stage.name)
+        .filter_map(|(_, word)| Some(word.split('=').next()?.to_string()))
+        .collect()
+}
+
+/// The picture's file of one `VIEW` or `VIEW=KNOB` in a figure.
+fn picture(stage: &str, word: &str) -> String {
     let (name, setting) = word.split_once('=').unzip();
     let name = name.unwrap_or(word);
     let stage = STAGES.into_iter().find(|known| known.name == stage);
@@ -193,7 +232,7 @@ fn picture(stage: &str, word: &str) -> (String, String) {
         Some(stage.picture_name(view, setting))
     });
     let picture = picture.unwrap_or_else(|| "of that name".to_string());
-    (name.to_string(), format!("pictures/{picture}.snap.png"))
+    format!("pictures/{picture}.snap.png")
 }
 
 fn none(problems: &[String]) {

@@ -6,10 +6,15 @@
 
 mod common;
 
+mod anti_aliasing;
 mod canvas;
 mod every_stage;
+mod fresnel;
 mod plane_hit;
 mod ray_casting;
+mod reflection;
+mod refraction;
 mod shading;
 mod shadows;
 mod sphere_hit;
+mod transparency;

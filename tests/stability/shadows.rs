@@ -6,7 +6,7 @@ use ::shadows::{OFFSET, PointLight, STAGE, Scene, light_reaches, light_reaches_b
 use ::sphere_hit::Sphere;
 use canvas::Canvas;
 use glam::{DVec3, UVec2, Vec3, dvec3};
-use oracle::{Camera, Lamp, Paint, Surface, Thing};
+use oracle::{Body, Camera, Lamp, Paint, Surface, Thing};
 use proptest::prelude::*;
 
 fn object(shape: Shape) -> Object<()> {
@@ -150,6 +150,7 @@ fn lamp_between_balls() -> (oracle::Scene, Camera) {
             specular: 0.0,
             shininess: 1,
         },
+        body: Body::Opaque(0.0),
     };
     let ball = |height| oracle::Shape::Sphere {
         centre: dvec3(0.0, height, 0.0),

@@ -103,7 +103,7 @@ pub fn chapters() -> String {
 }
 
 /// Plain text as HTML, with the apostrophes that mdBook gives to all other text.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -1,5 +1,7 @@
-//! Prepares the book's pages for mdBook: formulas become MathML, figures come from the chapters' stages.
+//! Prepares the book's pages for mdBook: formulas become MathML, figures come from the chapters' stages
+//! and manifests.
 
+mod dependencies;
 mod figures;
 mod maths;
 mod page;

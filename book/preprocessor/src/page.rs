@@ -1,10 +1,10 @@
 //! One page: finds what is to be replaced, and leaves all else, code above all, as it is.
 
-use crate::{figures, maths};
+use crate::{dependencies, figures, maths};
 use mdbook_preprocessor::errors::Result;
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
-/// Replaces a page's formulas, figures and table of chapters.
+/// Replaces a page's formulas, figures, table of chapters and diagram of their dependencies.
 pub fn prepare(markdown: &str) -> Result<String> {
     let options =
         Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
@@ -26,7 +26,8 @@ pub fn prepare(markdown: &str) -> Result<String> {
     Ok(prepared + &markdown[done..])
 }
 
-/// What stands in for a paragraph that is nothing but `{{#figure …}}` or `{{#stages}}`.
+/// What stands in for a paragraph that is nothing but `{{#figure …}}`, `{{#stages}}` or
+/// `{{#dependencies}}`.
 fn paragraph(text: &str) -> Result<Option<String>> {
     let Some(command) = text
         .strip_prefix("{{#")
@@ -37,6 +38,7 @@ fn paragraph(text: &str) -> Result<Option<String>> {
     match command.split_whitespace().collect::<Vec<_>>()[..] {
         ["figure", stage, ref views @ ..] => figures::figures(stage, views).map(Some),
         ["stages"] => Ok(Some(figures::chapters())),
+        ["dependencies"] => dependencies::diagram().map(Some),
         _ => Ok(None),
     }
 }

@@ -6,7 +6,7 @@ pub use views::STAGE;
 
 use glam::Vec3;
 use plane_hit::{Pattern, nearest};
-use ray_casting::Ray;
+use ray_casting::{Ray, unit};
 use shadows::{PointLight, Scene, light_reaches};
 use sphere_hit::facing;
 // ANCHOR_END: head
@@ -102,7 +102,7 @@ pub fn shade(
     let mut sum = surface.ambient * colour;
     for light in lights {
         // At the lamp itself there is no direction to it, and no light from it.
-        let Some(to_light) = (light.position - point).try_normalize() else {
+        let Some(to_light) = unit(light.position - point) else {
             continue;
         };
         let lit = lit(surface, colour, incident, normal, to_light);

@@ -39,7 +39,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "leaving-schlick",
-            caption: "The same by Schlick's formula with the wrong cosine: next to nothing where it should be all.",
+            caption: "The mirrored share at the bubble by Schlick's formula with the wrong cosine: next to nothing where it should be all.",
             knob: None,
             picture: |_| reflectance_of(AIR, GLASS, schlick),
         },

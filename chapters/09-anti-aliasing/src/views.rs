@@ -54,7 +54,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "dots-adaptive",
-            caption: "The same dots, adaptively: those that fall between the first four rays are never seen.",
+            caption: "Such dots, adaptively: those that fall between the first four rays are never seen.",
             knob: Some(n(8, &[])),
             picture: |n| dots_by(n, adaptive),
         },

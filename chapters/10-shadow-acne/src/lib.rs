@@ -23,6 +23,8 @@ pub struct Leaving<'a, M> {
     pub ray: Ray,
     /// Where it comes from.
     pub from: Option<&'a Object<M>>,
+    /// Whether it goes into that object.
+    pub inwards: bool,
 }
 
 /// How a ray leaves an object: from a point of it with a unit outward normal, in a
@@ -30,8 +32,7 @@ pub struct Leaving<'a, M> {
 pub type Leave<M> = for<'a> fn(&'a Object<M>, Vec3, Vec3, Vec3) -> Leaving<'a, M>;
 
 fn forgetful<'a, M>(origin: Vec3, direction: Vec3) -> Leaving<'a, M> {
-    let ray = Ray { origin, direction };
-    Leaving { ray, from: None }
+    from_the_eye(Ray { origin, direction })
 }
 // ANCHOR_END: leaving
 
@@ -102,9 +103,11 @@ pub fn from_the_surface<'a, M>(
     direction: Vec3,
 ) -> Leaving<'a, M> {
     let origin = on_the_surface(&object.shape, point, normal);
-    let ray = Ray { origin, direction };
-    let from = Some(object);
-    Leaving { ray, from }
+    Leaving {
+        ray: Ray { origin, direction },
+        from: Some(object),
+        inwards: normal.dot(direction) < 0.0,
+    }
 }
 
 /// Where a ray that starts on a sphere meets it again, if that is before `t_max`: at its
@@ -124,14 +127,16 @@ pub fn other_hit(sphere: &Sphere, ray: &Ray, t_max: f32) -> Option<Hit> {
 }
 
 impl<M> Leaving<'_, M> {
-    /// Where the ray meets `object` before `t_max`. The plane that it left, it cannot
-    /// meet again.
+    /// Where the ray meets `object` before `t_max`. What it left, it can meet again only
+    /// from within.
     #[must_use]
     pub fn hit(&self, object: &Object<M>, t_max: f32) -> Option<Hit> {
         let is_where_from = self.from.is_some_and(|from| std::ptr::eq(from, object));
         match &object.shape {
-            Shape::Sphere(sphere) if is_where_from => other_hit(sphere, &self.ray, t_max),
-            Shape::Plane(_) if is_where_from => None,
+            Shape::Sphere(sphere) if is_where_from && self.inwards => {
+                other_hit(sphere, &self.ray, t_max)
+            }
+            _ if is_where_from => None,
             shape => shape.hit(&self.ray, t_max),
         }
     }
@@ -156,7 +161,11 @@ impl<M> Leaving<'_, M> {
 /// The camera's ray, which comes from no surface.
 #[must_use]
 pub fn from_the_eye<'a, M>(ray: Ray) -> Leaving<'a, M> {
-    Leaving { ray, from: None }
+    Leaving {
+        ray,
+        from: None,
+        inwards: false,
+    }
 }
 
 /// Chapter 8's picture, by whichever way rays `leave` a surface.

@@ -40,7 +40,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "fixed",
-            caption: "A fixed step off the surface: right at one size of the world, acne in a large one, and \
+            caption: "A fixed step off the surface: nearly right at one size of the world, acne in a large one, and \
                       shadows lost in a small one.",
             knob: Some(SCALE),
             picture: |scale| balls_on_a_planet(scale, by_a_fixed_offset),

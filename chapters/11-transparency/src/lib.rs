@@ -7,13 +7,14 @@ pub use views::STAGE;
 
 use fresnel::fresnel;
 use glam::Vec3;
-use plane_hit::{Object, Shape};
+use plane_hit::Object;
+use ray_casting::Ray;
 use reflection::{Reach, reflect};
 use refraction::{Body, Crossing, Material, refract};
 use shading::lit;
-use shadow_acne::{Leaving, from_the_surface, other_hit};
+use shadow_acne::{Leaving, from_the_surface};
 use shadows::{PointLight, Scene};
-use sphere_hit::facing;
+use sphere_hit::{FARTHEST, facing};
 // ANCHOR_END: head
 
 // ANCHOR: absorb
@@ -53,44 +54,44 @@ pub fn light_through(
     ray: &Leaving<Tinted>,
     distance: f32,
 ) -> Vec3 {
+    let blocks = |object: &Object<Tinted>| {
+        matches!(object.material.material.body, Body::Opaque { .. })
+            && ray.hit(object, distance).is_some()
+    };
+    if scene.objects.iter().any(blocks) {
+        return Vec3::ZERO;
+    }
+    left_after(scene, ray, distance)
+}
+
+/// What all clear things leave of light on a ray's way of some `distance`.
+fn left_after(scene: &Scene<Tinted>, ray: &Leaving<Tinted>, distance: f32) -> Vec3 {
     let mut light = Vec3::ONE;
     for object in &scene.objects {
-        let Some(inside) = way_inside(object, ray, distance) else {
-            continue;
-        };
-        match object.material.material.body {
-            Body::Opaque { .. } => return Vec3::ZERO,
-            Body::Clear { .. } => {
-                light *= transmittance(object.material.absorption, inside)
-            }
+        if let Body::Clear { .. } = object.material.material.body {
+            let inside = way_inside(object, ray, distance);
+            light *= transmittance(object.material.absorption, inside);
         }
     }
     light
 }
 
-/// How long the ray is inside an object on its way of some `distance`; `None` if they
-/// never meet.
-fn way_inside(
-    object: &Object<Tinted>,
-    ray: &Leaving<Tinted>,
-    distance: f32,
-) -> Option<f32> {
-    let hit = ray.hit(object, distance)?;
-    let leaves = hit.normal.dot(ray.ray.direction) > 0.0;
-    match &object.shape {
-        _ if leaves => Some(hit.t),
-        Shape::Plane(_) => Some(distance - hit.t),
-        Shape::Sphere(sphere) => {
-            let entered = from_the_surface(
-                object,
-                ray.ray.at(hit.t),
-                hit.normal,
-                ray.ray.direction,
-            );
-            let left = distance - hit.t;
-            Some(other_hit(sphere, &entered.ray, left).map_or(left, |exit| exit.t))
-        }
+/// How much of a ray's way of some `distance` is inside an object.
+fn way_inside(object: &Object<Tinted>, ray: &Leaving<Tinted>, distance: f32) -> f32 {
+    let Some(hit) = ray.hit(object, FARTHEST) else {
+        return 0.0;
+    };
+    let Ray { direction, .. } = ray.ray;
+    if hit.normal.dot(direction) > 0.0 {
+        // It starts inside, and ends there or leaves.
+        return if hit.t < distance { hit.t } else { distance };
     }
+    let left = distance - hit.t;
+    if !(left > 0.0) {
+        return 0.0;
+    }
+    let entered = from_the_surface(object, ray.ray.at(hit.t), hit.normal, direction);
+    entered.hit(object, left).map_or(left, |exit| exit.t)
 }
 // ANCHOR_END: through
 
@@ -102,20 +103,13 @@ pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> V
     let Some((object, hit)) = leaving.nearest(&scene.objects) else {
         return scene.background;
     };
-    let Tinted {
-        material: Material { phong, body },
-        absorption,
-    } = &object.material;
+    let Material { phong, body } = &object.material.material;
     let incident = leaving.ray.direction;
     let point = leaving.ray.at(hit.t);
     let normal = facing(hit.normal, incident);
     // All that comes from here has come the ray's way, through whatever the ray has been
     // in.
-    let on_the_way = if hit.normal.dot(incident) > 0.0 {
-        transmittance(*absorption, hit.t)
-    } else {
-        Vec3::ONE
-    };
+    let on_the_way = left_after(scene, &leaving, hit.t);
 
     let colour = phong.colour.at(point);
     let mut light = phong.ambient * colour;
@@ -125,7 +119,9 @@ pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> V
     } in &scene.lights
     {
         let to_light = *position - point;
-        let direction = to_light.normalize();
+        let Some(direction) = to_light.try_normalize() else {
+            continue;
+        };
         let lit = lit(phong, colour, incident, normal, direction);
         if lit != Vec3::ZERO {
             canvas::count_ray();

@@ -4,7 +4,7 @@
 //! rounds them to: 0.9 means nine tenths. What a chapter loses by that rounding, some 10⁻⁸, is part of
 //! what it is measured for.
 
-use crate::{Camera, Lamp, Paint, Scene, Shape, Surface, Thing};
+use crate::{Body, Camera, Glass, Lamp, Paint, Scene, Shape, Surface, Thing};
 use glam::{DVec3, dvec3};
 
 /// Five spheres on a checkered floor under two lamps, as far as chapters 3 to 5 know them: the mirror
@@ -21,6 +21,7 @@ pub fn still_life() -> Scene {
     let ball = |centre, radius, colour, specular, shininess| Thing {
         shape: Shape::Sphere { centre, radius },
         surface: surface(Paint::Plain(colour), specular, shininess),
+        body: Body::Opaque(0.0),
     };
     let floor = Thing {
         shape: Shape::Plane {
@@ -28,6 +29,7 @@ pub fn still_life() -> Scene {
             normal: DVec3::Y,
         },
         surface: surface(Paint::Checker(DVec3::splat(0.1), DVec3::splat(0.9)), 0.0, 1),
+        body: Body::Opaque(0.0),
     };
     let grey = DVec3::splat(0.6);
     Scene {
@@ -51,6 +53,44 @@ pub fn still_life() -> Scene {
         ],
         background: dvec3(0.2, 0.5, 0.8),
     }
+}
+
+/// The same as far as chapter 6 knows it: with the mirror, and some gloss on the green ball.
+#[must_use]
+pub fn still_life_with_mirrors() -> Scene {
+    let mut scene = still_life();
+    let [_, _, mirror, green, ..] = &mut scene.things[..] else {
+        unreachable!("six things");
+    };
+    mirror.surface = Surface {
+        paint: Paint::Plain(DVec3::splat(0.9)),
+        ambient: 0.02,
+        diffuse: 0.1,
+        specular: 0.8,
+        shininess: 200,
+    };
+    mirror.body = Body::Opaque(0.8);
+    green.body = Body::Opaque(0.2);
+    scene
+}
+
+/// The finished still life, with its ball of glass, index 1.5, as far as a chapter knows glass.
+#[must_use]
+pub fn still_life_with_glass(glass: Glass) -> Scene {
+    let mut scene = still_life_with_mirrors();
+    scene.things[5].surface = Surface {
+        paint: Paint::Plain(DVec3::ONE),
+        ambient: 0.0,
+        diffuse: 0.0,
+        specular: 0.8,
+        shininess: 200,
+    };
+    scene.things[5].body = Body::Clear {
+        inside: 1.5,
+        outside: 1.0,
+        glass,
+    };
+    scene
 }
 
 /// The camera that looks at it: 45° from top to bottom, 1/tan(45°/2) = 1 + √2.
