@@ -404,7 +404,7 @@ mod shadow_acne {
             let rows = METHODS.iter().enumerate().map(|(method, (name, _))| {
                 let cells = self.tallies.map(|tallies| {
                     let tally = tallies[method];
-                    format!("{:.2} / {:.2}", tally.false_hits(), tally.leaks())
+                    format!("{:.2}<br>{:.2}", tally.false_hits(), tally.leaks())
                 });
                 format!("| {name} | {} |", cells.join(" | "))
             });
