@@ -56,12 +56,17 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
     if let (false, Some(knob)) = (by_default, &view.knob) {
         options += &format!(" --knob {setting}");
         let value = format!("{setting} {}", knob.unit);
-        caption += &format!(" Here the {} is {}.", knob.name, value.trim_end());
+        caption += &format!(" Here: {} {}.", knob.name, value.trim_end());
     }
     if !options.is_empty() {
         options.insert_str(0, " --");
     }
     let command = format!("cargo run --bin {}{options}", stage.name);
+    // A line may break between two words of the command, and nowhere else.
+    let words = command
+        .split(' ')
+        .map(|word| format!("<span>{word}</span>"));
+    let command = words.collect::<Vec<_>>().join(" ");
     let picture = format!("pictures/{}.snap.png", stage.picture_name(view, setting));
     Ok(format!(
         "<figure style=\"width: {width}px\">\n\

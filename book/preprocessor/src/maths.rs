@@ -35,6 +35,12 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String> {
     let mathml = mathml
         .replace("><<", ">&lt;<")
         .replace("\"minsize", "\" minsize");
+    // It puts the space before a function into the power that follows it.
+    if mathml.contains("<msup><mspace") || mathml.contains("<msub><mspace") {
+        return Err(Error::msg(format!(
+            "the formula ${latex}$: put braces around a function with a power, as in {{\\cos^2\\theta}}"
+        )));
+    }
     Ok(safe_in_markdown(&mathml))
 }
 

@@ -70,7 +70,9 @@ fn jitter(pixel: Pixel, sample: u32) -> Vec2 {
 
 /// Stirs the bits of a number so that each of them depends on all.
 ///
-/// Source: Chris Wellons, "Prospecting for Hash Functions" (2018), lowbias32.
+/// The sum at first keeps 0 from staying 0.
+///
+/// Source: the multipliers and shifts are TheIronBorn's, in Chris Wellons's hash-prospector.
 fn hash(mut x: u32) -> u32 {
     x = x.wrapping_add(0x9e37_79b9);
     x ^= x >> 16;
