@@ -60,10 +60,44 @@ pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 }
 // ANCHOR_END: schlick
 
-// ANCHOR: trace
+// ANCHOR: ways
 /// How much is mirrored; one of the functions above.
 pub type Reflectance = fn(f32, f32, f32) -> f32;
 
+/// The two ways on which light may go on at a surface, each with the share that takes it:
+/// mirrored, and through. A way that there is not has a share of 0.
+///
+/// `incident` and the `outward` normal are unit vectors, and so are the directions.
+#[must_use]
+pub fn ways_on(
+    body: &Body,
+    incident: Vec3,
+    outward: Vec3,
+    reflectance: Reflectance,
+) -> [(f32, Vec3); 2] {
+    let mirrored = reflect(incident, outward);
+    match *body {
+        Body::Opaque { reflectivity } => [(reflectivity, mirrored), (0.0, incident)],
+        Body::Clear { inside, outside } => {
+            let Crossing {
+                normal,
+                eta_i,
+                eta_t,
+            } = Crossing::new(incident, outward, inside, outside);
+            match refract(incident, normal, eta_i / eta_t) {
+                Some(refracted) => {
+                    let share = reflectance(-normal.dot(incident), eta_i, eta_t);
+                    [(share, mirrored), (1.0 - share, refracted)]
+                }
+                // Total internal reflection.
+                None => [(1.0, mirrored), (0.0, incident)],
+            }
+        }
+    }
+}
+// ANCHOR_END: ways
+
+// ANCHOR: trace
 /// What a ray brings back: the light of what it meets first, and what is seen in it and
 /// through it.
 #[must_use]
@@ -81,38 +115,13 @@ pub fn trace(
     let point = ray.at(hit.t);
     let normal = facing(hit.normal, incident);
     let reaches = |light: &PointLight| light_reaches(scene, point, normal, light);
-    let light = shade(phong, incident, point, normal, &scene.lights, reaches);
-
-    // The light that a ray in some direction brings, if its share is worth the ray.
-    let from = |share: f32, direction: Vec3| match reach.after(share) {
-        Some(reach) => {
-            share
-                * trace(
-                    scene,
-                    &leave(point, hit.normal, direction),
-                    reach,
-                    reflectance,
-                )
-        }
-        None => Vec3::ZERO,
-    };
-    match *body {
-        Body::Opaque { reflectivity } => {
-            light + from(reflectivity, reflect(incident, normal))
-        }
-        Body::Clear { inside, outside } => {
-            let Crossing { eta_i, eta_t, .. } =
-                Crossing::new(incident, hit.normal, inside, outside);
-            let mirrored = reflect(incident, normal);
-            match refract(incident, normal, eta_i / eta_t) {
-                Some(refracted) => {
-                    let share = reflectance(-normal.dot(incident), eta_i, eta_t);
-                    light + from(share, mirrored) + from(1.0 - share, refracted)
-                }
-                // Total internal reflection.
-                None => light + from(1.0, mirrored),
-            }
+    let mut light = shade(phong, incident, point, normal, &scene.lights, reaches);
+    for (share, direction) in ways_on(body, incident, hit.normal, reflectance) {
+        if let Some(reach) = reach.after(share) {
+            let onward = leave(point, hit.normal, direction);
+            light += share * trace(scene, &onward, reach, reflectance);
         }
     }
+    light
 }
 // ANCHOR_END: trace

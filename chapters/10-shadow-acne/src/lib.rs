@@ -4,12 +4,12 @@
 pub mod views;
 pub use views::STAGE;
 
-use fresnel::fresnel;
+use fresnel::{fresnel, ways_on};
 use glam::Vec3;
 use plane_hit::{Object, Shape};
 use ray_casting::{Ray, unit};
-use reflection::{Reach, reflect};
-use refraction::{Body, Crossing, Material, refract};
+use reflection::Reach;
+use refraction::Material;
 use shading::shade;
 use shadows::{OFFSET, PointLight, Scene};
 use sphere_hit::{FARTHEST, Hit, Sphere, facing};
@@ -193,32 +193,14 @@ pub fn trace(
             .iter()
             .any(|object| shadow_ray.hit(object, distance).is_some())
     };
-    let light = shade(phong, incident, point, normal, &scene.lights, reaches);
-
-    let from = |share: f32, direction: Vec3| match reach.after(share) {
-        Some(reach) => {
+    let mut light = shade(phong, incident, point, normal, &scene.lights, reaches);
+    for (share, direction) in ways_on(body, incident, hit.normal, fresnel) {
+        if let Some(reach) = reach.after(share) {
             canvas::count_ray();
             let leaving = leave(object, point, hit.normal, direction);
-            share * trace(scene, leaving, reach, leave)
-        }
-        None => Vec3::ZERO,
-    };
-    match *body {
-        Body::Opaque { reflectivity } => {
-            light + from(reflectivity, reflect(incident, normal))
-        }
-        Body::Clear { inside, outside } => {
-            let Crossing { eta_i, eta_t, .. } =
-                Crossing::new(incident, hit.normal, inside, outside);
-            let mirrored = reflect(incident, normal);
-            match refract(incident, normal, eta_i / eta_t) {
-                Some(refracted) => {
-                    let share = fresnel(-normal.dot(incident), eta_i, eta_t);
-                    light + from(share, mirrored) + from(1.0 - share, refracted)
-                }
-                None => light + from(1.0, mirrored),
-            }
+            light += share * trace(scene, leaving, reach, leave);
         }
     }
+    light
 }
 // ANCHOR_END: trace

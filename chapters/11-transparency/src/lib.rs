@@ -5,12 +5,12 @@
 pub mod views;
 pub use views::STAGE;
 
-use fresnel::fresnel;
+use fresnel::{fresnel, ways_on};
 use glam::Vec3;
 use plane_hit::Object;
 use ray_casting::Ray;
-use reflection::{Reach, reflect};
-use refraction::{Body, Crossing, Material, refract};
+use reflection::Reach;
+use refraction::{Body, Material};
 use shading::lit;
 use shadow_acne::{Leaving, from_the_surface};
 use shadows::{PointLight, Scene};
@@ -130,33 +130,13 @@ pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> V
         }
     }
 
-    let from = |share: f32, direction: Vec3| match reach
-        .after(share * on_the_way.max_element())
-    {
-        Some(reach) => {
+    for (share, direction) in ways_on(body, incident, hit.normal, fresnel) {
+        if let Some(reach) = reach.after(share * on_the_way.max_element()) {
             canvas::count_ray();
             let leaving = from_the_surface(object, point, hit.normal, direction);
-            share * trace(scene, leaving, reach)
+            light += share * trace(scene, leaving, reach);
         }
-        None => Vec3::ZERO,
-    };
-    on_the_way
-        * match *body {
-            Body::Opaque { reflectivity } => {
-                light + from(reflectivity, reflect(incident, normal))
-            }
-            Body::Clear { inside, outside } => {
-                let Crossing { eta_i, eta_t, .. } =
-                    Crossing::new(incident, hit.normal, inside, outside);
-                let mirrored = reflect(incident, normal);
-                match refract(incident, normal, eta_i / eta_t) {
-                    Some(refracted) => {
-                        let share = fresnel(-normal.dot(incident), eta_i, eta_t);
-                        light + from(share, mirrored) + from(1.0 - share, refracted)
-                    }
-                    None => light + from(1.0, mirrored),
-                }
-            }
-        }
+    }
+    on_the_way * light
 }
 // ANCHOR_END: trace
