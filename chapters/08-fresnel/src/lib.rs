@@ -25,7 +25,7 @@ use sphere_hit::facing;
 /// Source: the talk's "Fresnel" slide.
 #[must_use]
 pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
-    // Without this, an invisible ball would have a rim: 0/0 at grazing angles.
+    // Without this, an invisible ball would sparkle: 0/0 at grazing angles.
     if eta_i == eta_t {
         return 0.0;
     }
