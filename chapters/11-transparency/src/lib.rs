@@ -8,7 +8,7 @@ pub use views::STAGE;
 use fresnel::{fresnel, ways_on};
 use glam::Vec3;
 use plane_hit::Object;
-use ray_casting::Ray;
+use ray_casting::{Ray, unit};
 use reflection::Reach;
 use refraction::{Body, Material};
 use shading::lit;
@@ -119,7 +119,7 @@ pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> V
     } in &scene.lights
     {
         let to_light = *position - point;
-        let Some(direction) = to_light.try_normalize() else {
+        let Some(direction) = unit(to_light) else {
             continue;
         };
         let lit = lit(phong, colour, incident, normal, direction);
