@@ -3,7 +3,7 @@
 use canvas::Stage;
 
 /// Every chapter's stage. The tests, the book and `cargo run` go by this list.
-pub const STAGES: [&Stage; 12] = [
+pub const STAGES: [&Stage; 13] = [
     &canvas::STAGE,
     &ray_casting::STAGE,
     &sphere_hit::STAGE,
@@ -16,4 +16,5 @@ pub const STAGES: [&Stage; 12] = [
     &anti_aliasing::STAGE,
     &shadow_acne::STAGE,
     &transparency::STAGE,
+    &speed_and_accuracy::STAGE,
 ];

@@ -15,11 +15,24 @@ use std::process::ExitCode;
 const MAX_SIDE: u32 = 16_384;
 
 /// Why a chapter ends without what was asked for, in one line that says what would be right.
-enum Failure {
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
     /// What was asked for makes no sense: exit code 2.
     Usage(String),
     /// It could not be done: exit code 1.
     Failed(String),
+}
+
+/// Something that a chapter's command line can do in place of showing a view.
+pub struct Task {
+    /// Its option, without the hyphens.
+    pub flag: &'static str,
+    /// What the option's value is, in capitals.
+    pub value: &'static str,
+    /// What it does.
+    pub help: &'static str,
+    /// Does it, given the option's value.
+    pub run: fn(&str) -> Result<(), Failure>,
 }
 
 /// Runs a chapter: its window, or what the command line asks for.
@@ -27,7 +40,19 @@ enum Failure {
 /// Returns 0 for success, 2 for a command line that makes no sense, 1 for what could not be done.
 #[must_use]
 pub fn run(stage: &'static Stage) -> ExitCode {
-    match run_with(stage, std::env::args_os().collect()) {
+    run_with(stage, &[])
+}
+
+/// Runs a chapter that can also do `tasks`.
+#[must_use]
+pub fn run_with(stage: &'static Stage, tasks: &'static [Task]) -> ExitCode {
+    end_with(obey(stage, tasks, std::env::args_os().collect()))
+}
+
+/// Ends a program: says what went wrong, if anything did, and gives the exit code for it.
+#[must_use]
+pub fn end_with(result: Result<(), Failure>) -> ExitCode {
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Usage(line)) => {
             complain(&line);
@@ -51,8 +76,12 @@ pub fn complain(line: &str) {
     let _ = writeln!(std::io::stderr(), "error: {line}");
 }
 
-fn run_with(stage: &'static Stage, arguments: Vec<OsString>) -> Result<(), Failure> {
-    let matches = match command(stage).try_get_matches_from(arguments) {
+fn obey(
+    stage: &'static Stage,
+    tasks: &'static [Task],
+    arguments: Vec<OsString>,
+) -> Result<(), Failure> {
+    let matches = match command(stage, tasks).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
             let _ = error.print();
@@ -60,6 +89,11 @@ fn run_with(stage: &'static Stage, arguments: Vec<OsString>) -> Result<(), Failu
         }
         Err(error) => return Err(Failure::Usage(one_line(&error))),
     };
+    for task in tasks {
+        if let Some(value) = matches.get_one::<String>(task.flag) {
+            return (task.run)(value);
+        }
+    }
     let size = match matches.get_one::<String>("size") {
         Some(text) => parse_size(text)?,
         None => UVec2::new(800, 600),
@@ -99,7 +133,16 @@ fn run_with(stage: &'static Stage, arguments: Vec<OsString>) -> Result<(), Failu
     save_one(view, setting, size, Path::new(&name))
 }
 
-fn command(stage: &'static Stage) -> Command {
+fn command(stage: &'static Stage, tasks: &'static [Task]) -> Command {
+    let others = ["view", "knob", "size", "png", "all", "list"];
+    let tasks = tasks.iter().map(|task| {
+        Arg::new(task.flag)
+            .long(task.flag)
+            .value_name(task.value)
+            .help(task.help)
+            .allow_hyphen_values(true)
+            .conflicts_with_all(others)
+    });
     Command::new(stage.name)
         .about(stage.title)
         .after_help(
@@ -137,6 +180,7 @@ fn command(stage: &'static Stage) -> Command {
                 .conflicts_with_all(["view", "knob", "size", "png", "all"])
                 .help("List the views and their knobs"),
         ])
+        .args(tasks)
 }
 
 /// clap explains itself in paragraphs; the first says what is wrong.

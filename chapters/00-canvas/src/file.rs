@@ -1,10 +1,10 @@
-//! From a canvas to a PNG file, whole or not at all.
+//! To a file, whole or not at all; and from a canvas to a PNG.
 
 use crate::Canvas;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use std::fs;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// Says in one line why no picture could be saved at `path`, as far as can be told before it is painted.
@@ -46,34 +46,47 @@ impl Canvas {
     /// # Errors
     /// One line that says what is wrong, and what would be right. Nothing is then left behind.
     pub fn save(&self, path: &Path) -> Result<(), String> {
-        check_destination(path)?;
-        // A link stays a link: what it points to is replaced.
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        self.write_and_rename(&target)
-            .map_err(|error| format!("cannot save {}: {error}", path.display()))
-    }
-
-    fn write_and_rename(&self, target: &Path) -> Result<(), Box<dyn std::error::Error>> {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".unfinished-").suffix(".png");
-        #[cfg(unix)]
-        {
-            // As for any new file: the umask takes away what it should.
-            use std::os::unix::fs::PermissionsExt;
-            builder.permissions(fs::Permissions::from_mode(0o666));
-        }
-        let mut file = builder.tempfile_in(folder_of(target))?;
-        let mut writer = BufWriter::new(file.as_file_mut());
-        PngEncoder::new(&mut writer).write_image(
+        let mut png = Vec::new();
+        let encoded = PngEncoder::new(&mut png).write_image(
             self.levels.as_flattened(),
             self.size.x,
             self.size.y,
             ExtendedColorType::Rgb8,
-        )?;
-        writer.flush()?;
-        drop(writer);
-        file.as_file().sync_all()?;
-        file.persist(target)?;
-        Ok(())
+        );
+        encoded.map_err(|error| format!("cannot save {}: {error}", path.display()))?;
+        write_file(path, &png)
     }
+}
+
+/// Writes a file at `path`, through a temporary file in the same folder.
+///
+/// What is already there is replaced whole, and only if all of the new could be written.
+///
+/// # Errors
+/// One line that says what is wrong, and what would be right. Nothing is then left behind.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    check_destination(path)?;
+    // A link stays a link: what it points to is replaced.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    write_and_rename(&target, bytes)
+        .map_err(|error| format!("cannot save {}: {error}", path.display()))
+}
+
+fn write_and_rename(
+    target: &Path,
+    bytes: &[u8],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".unfinished-");
+    #[cfg(unix)]
+    {
+        // As for any new file: the umask takes away what it should.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder_of(target))?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(target)?;
+    Ok(())
 }

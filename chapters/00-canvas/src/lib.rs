@@ -10,7 +10,8 @@ pub mod views;
 #[cfg(feature = "window")]
 mod window;
 
-pub use command_line::run;
+pub use command_line::{Failure, Task, end_with, run, run_with, say};
+pub use file::write_file;
 pub use srgb::{decode, encode};
 pub use stage::{Knob, Scale, Stage, View};
 pub use views::STAGE;

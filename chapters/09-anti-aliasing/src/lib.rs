@@ -73,7 +73,8 @@ fn jitter(pixel: Pixel, sample: u32) -> Vec2 {
 /// The sum at first keeps 0 from staying 0.
 ///
 /// Source: the multipliers and shifts are TheIronBorn's, in Chris Wellons's hash-prospector.
-fn hash(mut x: u32) -> u32 {
+#[must_use]
+pub fn hash(mut x: u32) -> u32 {
     x = x.wrapping_add(0x9e37_79b9);
     x ^= x >> 16;
     x = x.wrapping_mul(0x21f0_aaad);

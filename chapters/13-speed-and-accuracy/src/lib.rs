@@ -1,0 +1,12 @@
+// ANCHOR: head
+//! Speed against accuracy: what each method costs, how wrong it is, and no more than a
+//! picture needs.
+
+pub mod chart;
+pub mod sampling;
+pub mod studies;
+pub mod study;
+pub mod views;
+pub use studies::{STUDIES, TASKS, measure};
+pub use views::STAGE;
+// ANCHOR_END: head

@@ -1,0 +1,62 @@
+//! What chapter 13 shows: the studies' charts.
+
+use crate::chart;
+use crate::studies::sphere;
+use crate::study::{Study, Table};
+use canvas::{Picture, Pixel, Stage, View, decode};
+use glam::{UVec2, Vec2, Vec3};
+
+/// Chapter 13.
+pub const STAGE: Stage = Stage {
+    name: "13-speed-and-accuracy",
+    title: "Speed against accuracy, and no more than a picture needs",
+    views: &[chart_view(&sphere::STUDY, |_| charts(&sphere::STUDY))],
+};
+
+const fn chart_view(study: &'static Study, picture: fn(f32) -> Picture) -> View {
+    View {
+        name: study.name,
+        caption: study.title,
+        knob: None,
+        picture,
+    }
+}
+
+/// The charts of a study, as the book has them: as large as fits, in the middle.
+fn charts(study: &Study) -> Picture {
+    // A table that is not there yet is an empty one.
+    let table = Table::from_csv(study.table).unwrap_or_default();
+    let (width, height, levels) = chart::pixels(study.charts, &table);
+    let chart = UVec2::new(width, height);
+    let light: Vec<Vec3> = levels
+        .chunks_exact(3)
+        .map(|rgb| Vec3::new(decode(rgb[0]), decode(rgb[1]), decode(rgb[2])))
+        .collect();
+    Picture::new(move |pixel| mean_over(pixel, chart, &light))
+}
+
+/// The mean of what a pixel covers of a picture of `size` that is shown as large as fits;
+/// white beside it.
+fn mean_over(pixel: Pixel, size: UVec2, light: &[Vec3]) -> Vec3 {
+    let per_pixel = (size.as_vec2() / pixel.size.as_vec2()).max_element();
+    let from_middle =
+        Vec2::new(pixel.x as f32, pixel.y as f32) - pixel.size.as_vec2() / 2.0;
+    let corner = from_middle * per_pixel + size.as_vec2() / 2.0;
+    // One at least, even where a pixel is smaller than one of the picture's.
+    let first = corner.floor().as_ivec2();
+    let last = (corner + Vec2::splat(per_pixel)).ceil().as_ivec2();
+    let (mut sum, mut count) = (Vec3::ZERO, 0.0);
+    for y in first.y..last.y {
+        for x in first.x..last.x {
+            let is_in =
+                (0..size.x as i32).contains(&x) && (0..size.y as i32).contains(&y);
+            sum += if is_in {
+                light[(y * size.x as i32 + x) as usize]
+            } else {
+                Vec3::ONE
+            };
+            count += 1.0;
+        }
+    }
+    sum / count
+}
