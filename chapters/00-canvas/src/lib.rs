@@ -80,6 +80,12 @@ thread_local! {
 pub fn count_ray() {
     RAYS.set(RAYS.get() + 1);
 }
+
+/// How many rays this thread has counted so far.
+#[must_use]
+pub fn rays_so_far() -> u64 {
+    RAYS.get()
+}
 // ANCHOR_END: rays
 
 // ANCHOR: row
@@ -97,7 +103,7 @@ pub struct Row {
 
 impl Row {
     fn paint(picture: &Picture, size: UVec2, y: u32) -> Self {
-        let rays_before = RAYS.get();
+        let rays_before = rays_so_far();
         let light: Vec<Vec3> = (0..size.x)
             .map(|x| (picture.0)(Pixel { x, y, size }))
             .collect();
@@ -106,7 +112,7 @@ impl Row {
             "row {y} has a pixel that is not finite"
         );
         let levels = light.iter().map(|&light| encode(light)).collect();
-        let rays = RAYS.get() - rays_before;
+        let rays = rays_so_far() - rays_before;
         Self {
             y,
             light,

@@ -95,10 +95,19 @@ pub fn nearest<'a, M>(
     objects: &'a [Object<M>],
     ray: &Ray,
 ) -> Option<(&'a Object<M>, Hit)> {
+    nearest_by(objects, |object, t_max| object.shape.hit(ray, t_max))
+}
+
+/// The nearest of the objects, by whatever says where one is hit before some `t_max`.
+#[must_use]
+pub fn nearest_by<'a, M>(
+    objects: &'a [Object<M>],
+    hit: impl Fn(&'a Object<M>, f32) -> Option<Hit>,
+) -> Option<(&'a Object<M>, Hit)> {
     let mut nearest = None;
     let mut t_max = FARTHEST;
     for object in objects {
-        if let Some(hit) = object.shape.hit(ray, t_max) {
+        if let Some(hit) = hit(object, t_max) {
             t_max = hit.t;
             nearest = Some((object, hit));
         }

@@ -97,11 +97,16 @@ fn still_life_by(n: f32, sampler: Sampler) -> Picture {
     })
 }
 
-/// The floor alone, in flat colours, seen from high above and far away.
-fn horizon_by(n: f32, sampler: Sampler) -> Picture {
+/// A camera that looks at the far floor.
+#[must_use]
+pub fn horizon_camera() -> Camera {
     let eye = Vec3::new(0.0, 2.0, -7.0);
-    let camera =
-        Camera::new(eye, Vec3::new(0.0, -0.6, 7.0), Vec3::Y, 5.0).expect("a camera");
+    Camera::new(eye, Vec3::new(0.0, -0.6, 7.0), Vec3::Y, 5.0).expect("a camera")
+}
+
+/// The floor alone, in flat colours.
+fn horizon_by(n: f32, sampler: Sampler) -> Picture {
+    let camera = horizon_camera();
     let mut floor = still_life(STILL_LIFE_COLOURS);
     floor.truncate(1);
     sampled(n, sampler, move |point| {

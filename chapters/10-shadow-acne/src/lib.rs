@@ -6,13 +6,13 @@ pub use views::STAGE;
 
 use fresnel::{fresnel, ways_on};
 use glam::Vec3;
-use plane_hit::{Object, Shape};
+use plane_hit::{Object, Shape, nearest_by};
 use ray_casting::{Ray, unit};
 use reflection::Reach;
 use refraction::Material;
 use shading::shade;
 use shadows::{OFFSET, PointLight, Scene};
-use sphere_hit::{FARTHEST, Hit, Sphere, facing};
+use sphere_hit::{Hit, Sphere, facing};
 // ANCHOR_END: head
 
 // ANCHOR: leaving
@@ -144,15 +144,7 @@ impl<M> Leaving<'_, M> {
     /// The object that the ray meets first, and where.
     #[must_use]
     pub fn nearest<'a>(&self, objects: &'a [Object<M>]) -> Option<(&'a Object<M>, Hit)> {
-        let mut nearest = None;
-        let mut t_max = FARTHEST;
-        for object in objects {
-            if let Some(hit) = self.hit(object, t_max) {
-                t_max = hit.t;
-                nearest = Some((object, hit));
-            }
-        }
-        nearest
+        nearest_by(objects, |object, t_max| self.hit(object, t_max))
     }
 }
 // ANCHOR_END: from-surface

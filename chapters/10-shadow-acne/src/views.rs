@@ -36,26 +36,26 @@ pub const STAGE: Stage = Stage {
             caption: "The bug: rays start at the computed point, which is on either side of the surface, and \
                       the ground and the balls shadow themselves.",
             knob: Some(SCALE),
-            picture: |scale| balls_on_a_planet(scale, at_the_point),
+            picture: |scale| planet_by(scale, at_the_point),
         },
         View {
             name: "fixed",
             caption: "A fixed step off the surface: nearly right at one size of the world, acne in a large one, and \
                       shadows lost in a small one.",
             knob: Some(SCALE),
-            picture: |scale| balls_on_a_planet(scale, by_a_fixed_offset),
+            picture: |scale| planet_by(scale, by_a_fixed_offset),
         },
         View {
             name: "scaled",
             caption: "A step that grows with the numbers: right at every size.",
             knob: Some(SCALE),
-            picture: |scale| balls_on_a_planet(scale, by_a_scaled_offset),
+            picture: |scale| planet_by(scale, by_a_scaled_offset),
         },
         View {
             name: "from-surface",
             caption: "The cure: no step at all. The same picture at every size.",
             knob: Some(SCALE),
-            picture: |scale| balls_on_a_planet(scale, from_the_surface),
+            picture: |scale| planet_by(scale, from_the_surface),
         },
     ],
 };
@@ -78,8 +78,15 @@ fn picture_of(scene: Scene<Material>, camera: Camera, leave: Leave<Material>) ->
     })
 }
 
-/// Balls of radius 1 to 1/200 on a planet of radius 1000, one of them a mirror, all times `scale`.
-fn balls_on_a_planet(scale: f32, leave: Leave<Material>) -> Picture {
+fn planet_by(scale: f32, leave: Leave<Material>) -> Picture {
+    let (scene, camera) = balls_on_a_planet(scale);
+    picture_of(scene, camera, leave)
+}
+
+/// Balls of radius 1 to 1/200 on a planet of radius 1000, one of them a mirror, all times `scale`, and a
+/// camera.
+#[must_use]
+pub fn balls_on_a_planet(scale: f32) -> (Scene<Material>, Camera) {
     let plastic = |colour, reflectivity| Material {
         phong: Phong {
             colour: Pattern::Plain(colour),
@@ -121,5 +128,5 @@ fn balls_on_a_planet(scale: f32, leave: Leave<Material>) -> Picture {
     let eye = Vec3::new(0.4, 0.9, -3.6);
     let towards = Vec3::new(-0.1, 0.35, 0.0) - eye;
     let camera = Camera::new(scale * eye, towards, Vec3::Y, 2.0).expect("a camera");
-    picture_of(scene, camera, leave)
+    (scene, camera)
 }

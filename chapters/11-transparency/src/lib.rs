@@ -77,7 +77,8 @@ fn left_after(scene: &Scene<Tinted>, ray: &Leaving<Tinted>, distance: f32) -> Ve
 }
 
 /// How much of a ray's way of some `distance` is inside an object.
-fn way_inside(object: &Object<Tinted>, ray: &Leaving<Tinted>, distance: f32) -> f32 {
+#[must_use]
+pub fn way_inside<M>(object: &Object<M>, ray: &Leaving<M>, distance: f32) -> f32 {
     let Some(hit) = ray.hit(object, FARTHEST) else {
         return 0.0;
     };

@@ -3,7 +3,9 @@
 //! picture needs.
 
 pub mod chart;
+pub mod plan;
 pub mod sampling;
+pub mod scenes;
 pub mod studies;
 pub mod study;
 pub mod views;

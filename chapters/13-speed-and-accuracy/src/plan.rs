@@ -1,0 +1,573 @@
+//! No more than a picture needs: a plan made from a scene, a camera and a wish.
+
+use crate::sampling::{place, point};
+use anti_aliasing::hash;
+use canvas::{Picture, Pixel, decode, encode};
+use fresnel::{fresnel, ways_on};
+use glam::{Vec2, Vec3};
+use plane_hit::{Object, Pattern, Shape, nearest_by};
+use ray_casting::{Camera, Ray, unit};
+use refraction::{Body, Material};
+use shading::lit;
+use shadow_acne::{Leaving, from_the_eye, from_the_surface};
+use shadows::{PointLight, Scene};
+use sphere_hit::{Hit, Sphere, facing};
+use transparency::{Tinted, transmittance, way_inside};
+
+// ANCHOR: surface
+/// What the planner must know of a material: chapter 7's, or chapter 11's.
+pub trait Surface {
+    /// Its answer to light.
+    fn material(&self) -> &Material;
+
+    /// How fast its inside takes up a lamp's light on its way to elsewhere; `None` if
+    /// none gets through at all.
+    fn absorption(&self) -> Option<Vec3>;
+}
+
+impl Surface for Material {
+    fn material(&self) -> &Material {
+        self
+    }
+
+    /// Up to chapter 10 even glass throws a black shadow.
+    fn absorption(&self) -> Option<Vec3> {
+        None
+    }
+}
+
+impl Surface for Tinted {
+    fn material(&self) -> &Material {
+        &self.material
+    }
+
+    fn absorption(&self) -> Option<Vec3> {
+        matches!(self.material.body, Body::Clear { .. }).then_some(self.absorption)
+    }
+}
+// ANCHOR_END: surface
+
+// ANCHOR: plan
+/// What a picture needs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The error that was wished for, in levels of a screen.
+    pub wish: f32,
+    /// How many lamps there are whose light anything scatters.
+    pub lamps: usize,
+    /// The two largest reflectivities of what is opaque, the larger first.
+    pub mirrors: [f32; 2],
+    /// The most bounces that can matter; `None` if there is glass, in which only the
+    /// light itself can tell.
+    pub depth: Option<u32>,
+    /// Whether anything is clear.
+    pub has_glass: bool,
+    /// Whether some of it has a colour.
+    pub has_tints: bool,
+    /// As good as the most light, of its strongest colour, that any ray brings back.
+    pub brightest: f32,
+    /// How spheres are met.
+    pub formula: Formula,
+    /// How much light may be missing from a pixel of each level.
+    tolerances: [f32; 256],
+}
+
+/// One of chapter 2's ways to meet a sphere, the cheapest first.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub enum Formula {
+    /// [`Sphere::hit_by_slide`].
+    Slide,
+    /// [`Sphere::hit`].
+    Stable,
+    /// [`Sphere::hit_in_f64`].
+    InF64,
+}
+// ANCHOR_END: plan
+
+/// Nobody sees half a level.
+pub const WISH: f32 = 0.5;
+
+/// How far a normal may be turned, in radians: the sharpest highlight of the book, with an
+/// exponent of 200, changes by a fraction of a level.
+const TURN: f32 = 1e-4;
+
+/// The most rays that one sample is worth: in bodies of glass that overlap, as none in the
+/// world do, light can be caught for ever.
+const MOST_RAYS: u32 = 1 << 10;
+
+/// The least share of a pixel's light that tells what is seen in it from another thing.
+const LEAST_TO_TELL: f32 = 1.0 / 16.0;
+
+/// The least samples of a pixel in which not the same is seen everywhere.
+const LEAST_SAMPLES: u32 = 32;
+
+/// The most samples of a pixel.
+const MOST_SAMPLES: usize = 1024;
+
+impl Plan {
+    // ANCHOR: new
+    /// What a picture of `scene` by `camera` needs, to be wrong by no more than a `wish`,
+    /// in levels of a screen; the wish is positive.
+    #[must_use]
+    pub fn new<M: Surface>(scene: &Scene<M>, camera: &Camera, wish: f32) -> Self {
+        let materials = || {
+            scene
+                .objects
+                .iter()
+                .map(|object| object.material.material())
+        };
+        let scatters =
+            |phong: &shading::Phong| phong.diffuse > 0.0 || phong.specular > 0.0;
+        let is_lit = materials().any(|material| scatters(&material.phong));
+        let has_glass =
+            materials().any(|material| matches!(material.body, Body::Clear { .. }));
+
+        let (background, mut faintest) = extremes(scene.background);
+        // The most light that each has of its own, and the share of others' that it adds.
+        let mut opaque = vec![(background, 0.0)];
+        let mut highlight = 0.0;
+        for material in materials() {
+            let (most, least) = own_light(material, &scene.lights);
+            faintest = if least < faintest { least } else { faintest };
+            match material.body {
+                Body::Opaque { reflectivity } => opaque.push((most, reflectivity)),
+                Body::Clear { .. } if most > highlight => highlight = most,
+                Body::Clear { .. } => (),
+            }
+        }
+        let brightest = highlight + brightest(&opaque);
+        let mirrors = two_largest(opaque.iter().map(|&(_, reflectivity)| reflectivity));
+        let tolerances = std::array::from_fn(|level| wish * step(level as u8));
+        let allowed = tolerances[encode(Vec3::splat(faintest))[0] as usize];
+        Self {
+            wish,
+            lamps: if is_lit { scene.lights.len() } else { 0 },
+            mirrors,
+            depth: (!has_glass).then(|| depth(mirrors, allowed / brightest)),
+            has_glass,
+            has_tints: scene.objects.iter().any(is_tinted),
+            brightest,
+            formula: formula(scene, camera),
+            tolerances,
+        }
+    }
+    // ANCHOR_END: new
+
+    // ANCHOR: trace
+    /// What a ray brings back, less what a pixel would not miss.
+    ///
+    /// Of all rays still to be followed, the one that brings the largest share is next.
+    /// The light of the hits is added up on the way, so that it is always known how much
+    /// the pixel has at least, and with it how much it may lack: a dark pixel a tenth of
+    /// what a bright one may. Once all that is left could not bring more, nothing of it is
+    /// followed.
+    #[must_use]
+    pub fn trace<M: Surface>(&self, scene: &Scene<M>, ray: Ray) -> Seen {
+        let mut light = Vec3::ZERO;
+        let mut what = 0;
+        let mut to_follow = Vec::new();
+        let mut next = Some(Onward {
+            leaving: from_the_eye(ray),
+            share: Vec3::ONE,
+            bounces: 0,
+        });
+        let mut rays = 0;
+        while let Some(Onward {
+            leaving,
+            share,
+            bounces,
+        }) = next
+        {
+            let meets = |object, t_max| self.meets(&leaving, object, t_max);
+            match nearest_by(&scene.objects, meets) {
+                None => light += share * scene.background,
+                Some((object, hit)) => {
+                    let share = share * self.left_after(scene, &leaving, hit.t);
+                    let (shaded, lit_by) = self.shade(scene, object, &leaving, hit);
+                    light += share * shaded;
+                    let point = leaving.ray.at(hit.t);
+                    if share.max_element() > LEAST_TO_TELL {
+                        what = hash(what ^ name(scene, object, point) ^ lit_by << 16);
+                    }
+                    let incident = leaving.ray.direction;
+                    let body = &object.material.material().body;
+                    for (part, direction) in ways_on(body, incident, hit.normal, fresnel)
+                    {
+                        if part > 0.0 && self.depth.is_none_or(|depth| bounces < depth) {
+                            to_follow.push(Onward {
+                                leaving: from_the_surface(
+                                    object, point, hit.normal, direction,
+                                ),
+                                share: part * share,
+                                bounces: bounces + 1,
+                            });
+                        }
+                    }
+                }
+            }
+            rays += 1;
+            next = self
+                .take_largest(&mut to_follow, light)
+                .filter(|_| rays < MOST_RAYS);
+        }
+        Seen { light, what }
+    }
+
+    /// Of some rays the one that brings most; `None` if all of them together bring no more
+    /// than a pixel that has some `light` may lack.
+    fn take_largest<'a, M>(
+        &self,
+        to_follow: &mut Vec<Onward<'a, M>>,
+        light: Vec3,
+    ) -> Option<Onward<'a, M>> {
+        let (mut all, mut largest, mut place) = (0.0, 0.0, None);
+        for (i, onward) in to_follow.iter().enumerate() {
+            let share = onward.share.max_element();
+            all += share;
+            if share > largest {
+                (largest, place) = (share, Some(i));
+            }
+        }
+        if !(all * self.brightest > self.tolerance(light)) {
+            return None;
+        }
+        canvas::count_ray();
+        place.map(|place| to_follow.swap_remove(place))
+    }
+    // ANCHOR_END: trace
+
+    /// How much light a pixel that has some may lack, by the darkest of its colours.
+    fn tolerance(&self, light: Vec3) -> f32 {
+        let darkest = Vec3::splat(light.min_element());
+        self.tolerances[encode(darkest)[0] as usize]
+    }
+
+    /// Where a ray meets an object, by the plan's formula.
+    fn meets<M>(
+        &self,
+        leaving: &Leaving<M>,
+        object: &Object<M>,
+        t_max: f32,
+    ) -> Option<Hit> {
+        let comes_from = leaving.from.is_some_and(|from| std::ptr::eq(from, object));
+        match &object.shape {
+            Shape::Sphere(sphere) if !comes_from => {
+                self.formula.hit()(sphere, &leaving.ray, t_max)
+            }
+            _ => leaving.hit(object, t_max),
+        }
+    }
+
+    /// What the clear things on a ray's way of some `distance` leave of its light.
+    fn left_after<M: Surface>(
+        &self,
+        scene: &Scene<M>,
+        leaving: &Leaving<M>,
+        distance: f32,
+    ) -> Vec3 {
+        let mut left = Vec3::ONE;
+        if self.has_tints {
+            for object in &scene.objects {
+                if let Some(absorption) = object.material.absorption() {
+                    let inside = way_inside(object, leaving, distance);
+                    left *= transmittance(absorption, inside);
+                }
+            }
+        }
+        left
+    }
+
+    /// The light that a hit has of its own and from the lamps, as in chapter 11, and which
+    /// of those reach it, a bit for each.
+    fn shade<M: Surface>(
+        &self,
+        scene: &Scene<M>,
+        object: &Object<M>,
+        leaving: &Leaving<M>,
+        hit: Hit,
+    ) -> (Vec3, u32) {
+        let Ray {
+            direction: incident,
+            ..
+        } = leaving.ray;
+        let point = leaving.ray.at(hit.t);
+        let normal = facing(hit.normal, incident);
+        let phong = &object.material.material().phong;
+        let colour = phong.colour.at(point);
+        let mut light = phong.ambient * colour;
+        let mut lit_by = 0;
+        for (i, lamp) in scene.lights.iter().enumerate() {
+            let PointLight {
+                position,
+                intensity,
+            } = lamp;
+            let to_light = *position - point;
+            let Some(direction) = unit(to_light) else {
+                continue;
+            };
+            let lit = lit(phong, colour, incident, normal, direction);
+            if lit == Vec3::ZERO {
+                continue;
+            }
+            canvas::count_ray();
+            let shadow_ray = from_the_surface(object, point, hit.normal, direction);
+            let distance = to_light.length();
+            let blocks = |object: &Object<M>| {
+                object.material.absorption().is_none()
+                    && self.meets(&shadow_ray, object, distance).is_some()
+            };
+            if !scene.objects.iter().any(blocks) {
+                light += *intensity * lit * self.left_after(scene, &shadow_ray, distance);
+                lit_by |= 1 << (i % 16);
+            }
+        }
+        (light, lit_by)
+    }
+
+    // ANCHOR: sample
+    /// The light of a pixel, from as few samples as meet the wish.
+    ///
+    /// The first are its corners, which no straight edge through the pixel leaves on one
+    /// side, and four places within. If all of them see the same things in nearly the same
+    /// light, their mean is the answer. If not, only places within count, twice as many
+    /// each time, until σ N^(−3/4) is down to the wish: the error of N stratified samples,
+    /// of deviation σ, where an edge crosses a pixel.
+    #[must_use]
+    pub fn sample(&self, pixel: Pixel, see: &dyn Fn(Vec2) -> Seen) -> Vec3 {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
+        let at_corners = corners.map(|corner| see(point(pixel, Vec2::from(corner))));
+        let look_within = |i| see(point(pixel, place(pixel, i)));
+        let first_within = [0, 1, 2, 3].map(look_within);
+        let first = || at_corners.iter().chain(&first_within);
+        let lights: Vec<Vec3> = first().map(|seen| seen.light).collect();
+        let is_same = first().all(|seen| seen.what == at_corners[0].what);
+        if is_same && self.is_enough(&lights) {
+            return mean(&lights);
+        }
+        let mut lights = lights[4..].to_vec();
+        lights.extend((4..LEAST_SAMPLES).map(|i| look_within(i).light));
+        while lights.len() < MOST_SAMPLES && !self.is_enough(&lights) {
+            let n = lights.len() as u32;
+            lights.extend((n..2 * n).map(|i| look_within(i).light));
+        }
+        mean(&lights)
+    }
+
+    fn is_enough(&self, samples: &[Vec3]) -> bool {
+        let n = samples.len() as f32;
+        let whole = mean(samples);
+        let spread = deviation(samples, whole) / (n * n.sqrt().sqrt());
+        let levels = encode(whole);
+        (0..3).all(|i| spread[i] <= self.tolerances[levels[i] as usize] / 4.0)
+    }
+    // ANCHOR_END: sample
+
+    // ANCHOR: picture
+    /// The picture with one sample for each pixel, in its centre.
+    #[must_use]
+    pub fn at_centres<M>(self, scene: Scene<M>, camera: Camera) -> Picture
+    where
+        M: Surface + Send + Sync + 'static,
+    {
+        Picture::new(move |pixel| self.trace(&scene, camera.ray(pixel.centre())).light)
+    }
+
+    /// The picture, with as many samples as it needs.
+    #[must_use]
+    pub fn picture<M>(self, scene: Scene<M>, camera: Camera) -> Picture
+    where
+        M: Surface + Send + Sync + 'static,
+    {
+        Picture::new(move |pixel| {
+            self.sample(pixel, &|point| self.trace(&scene, camera.ray(point)))
+        })
+    }
+    // ANCHOR_END: picture
+}
+
+/// What a ray has seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// The light that it brings back.
+    pub light: Vec3,
+    /// What that comes from: the same number for the same things, on the same squares, in
+    /// the light of the same lamps.
+    pub what: u32,
+}
+
+/// A number for an object, and for the square if it has some.
+fn name<M: Surface>(scene: &Scene<M>, object: &Object<M>, point: Vec3) -> u32 {
+    let is_it = |other: &Object<M>| std::ptr::eq(object, other);
+    let place = scene.objects.iter().position(is_it).unwrap_or_default() as u32;
+    match object.material.material().phong.colour {
+        Pattern::Plain(_) => place,
+        Pattern::Checker(..) => {
+            let square = point.floor();
+            hash(place ^ hash(square.x.to_bits() ^ hash(square.z.to_bits())))
+        }
+    }
+}
+
+/// A ray that goes on from a hit.
+struct Onward<'a, M> {
+    leaving: Leaving<'a, M>,
+    /// What a pixel gets of the light that it brings, by colour.
+    share: Vec3,
+    bounces: u32,
+}
+
+fn mean(lights: &[Vec3]) -> Vec3 {
+    lights.iter().sum::<Vec3>() / lights.len() as f32
+}
+
+fn deviation(lights: &[Vec3], mean: Vec3) -> Vec3 {
+    let squares = lights.iter().map(|&light| (light - mean) * (light - mean));
+    let variance = squares.sum::<Vec3>() / lights.len() as f32;
+    variance.map(f32::sqrt)
+}
+
+/// How much light there is from one level of a screen to the next, at a level.
+fn step(level: u8) -> f32 {
+    match level {
+        0 => decode(1),
+        level => decode(level) - decode(level - 1),
+    }
+}
+
+fn extremes(light: Vec3) -> (f32, f32) {
+    (light.max_element(), light.min_element())
+}
+
+/// The most and the least light of a material's own and of the lamps.
+fn own_light(material: &Material, lights: &[PointLight]) -> (f32, f32) {
+    let phong = &material.phong;
+    let (most, least) = match phong.colour {
+        Pattern::Plain(colour) => extremes(colour),
+        Pattern::Checker(even, odd) => {
+            let [(a, b), (c, d)] = [extremes(even), extremes(odd)];
+            (if a > c { a } else { c }, if b < d { b } else { d })
+        }
+    };
+    let lamps: f32 = lights.iter().map(|light| light.intensity).sum();
+    let scattered = phong.diffuse * most + phong.specular;
+    (
+        phong.ambient * most + lamps * scattered,
+        phong.ambient * least,
+    )
+}
+
+fn two_largest(numbers: impl Iterator<Item = f32>) -> [f32; 2] {
+    numbers.fold([0.0, 0.0], |[first, second], other| {
+        if other > first {
+            [other, first]
+        } else if other > second {
+            [first, other]
+        } else {
+            [first, second]
+        }
+    })
+}
+
+// ANCHOR: brightest
+/// The most light that a ray brings back from things with light of their own and a
+/// reflectivity each, none of which sees itself in itself.
+///
+/// Wherever it starts, a brightest path goes to and fro between two of them at last:
+/// E₁ + ρ₁ (E₂ + ρ₂ (E₁ + …)) = (E₁ + ρ₁ E₂) / (1 − ρ₁ ρ₂).
+fn brightest(things: &[(f32, f32)]) -> f32 {
+    let mut brightest = 0.0;
+    for (i, &(light, reflectivity)) in things.iter().enumerate() {
+        for (j, &(other_light, other)) in things.iter().enumerate() {
+            let sum = (light + reflectivity * other_light) / (1.0 - reflectivity * other);
+            let most = if i == j { light } else { sum };
+            brightest = if most > brightest { most } else { brightest };
+        }
+    }
+    brightest
+}
+// ANCHOR_END: brightest
+
+// ANCHOR: depth
+/// How many bounces between two mirrors it takes until a ray brings no more than a share
+/// of `worth` of the pixel's light.
+///
+/// Each two bounces multiply it by both reflectivities: no object sees itself in itself.
+fn depth([first, second]: [f32; 2], worth: f32) -> u32 {
+    let (mut share, mut bounces) = (1.0, 0);
+    loop {
+        share *= if bounces % 2 == 0 { first } else { second };
+        if !(share > worth) || bounces == DEEPEST {
+            return bounces;
+        }
+        bounces += 1;
+    }
+}
+
+/// Mirrors that keep all light would be followed for ever.
+const DEEPEST: u32 = 4096;
+// ANCHOR_END: depth
+
+fn is_tinted<M: Surface>(object: &Object<M>) -> bool {
+    let absorption = object.material.absorption();
+    absorption.is_some_and(|absorption| absorption != Vec3::ZERO)
+}
+
+// ANCHOR: formula
+impl Formula {
+    fn hit(self) -> fn(&Sphere, &Ray, f32) -> Option<Hit> {
+        match self {
+            Self::Slide => Sphere::hit_by_slide,
+            Self::Stable => Sphere::hit,
+            Self::InF64 => Sphere::hit_in_f64,
+        }
+    }
+
+    /// How far a sphere's normal is turned, in radians, for a surface found from some
+    /// `distance`, in radii: by ε D² with the slide's formula, by ε D with the stable one.
+    fn turn(self, distance: f32) -> f32 {
+        match self {
+            Self::Slide => f32::EPSILON * distance * distance,
+            Self::Stable => f32::EPSILON * distance,
+            Self::InF64 => 0.0,
+        }
+    }
+}
+
+/// The cheapest formula that holds for every sphere, from the eye and from every other
+/// sphere.
+fn formula<M>(scene: &Scene<M>, camera: &Camera) -> Formula {
+    let spheres: Vec<Sphere> = scene
+        .objects
+        .iter()
+        .filter_map(|object| match object.shape {
+            Shape::Sphere(sphere) => Some(sphere),
+            Shape::Plane(_) => None,
+        })
+        .collect();
+    let holds = |formula: &Formula| {
+        spheres.iter().enumerate().all(|(i, sphere)| {
+            let from_eye = camera.eye.distance(sphere.centre);
+            let others = spheres.iter().enumerate().filter(|&(j, _)| i != j);
+            let from_others = others.map(|(_, other)| way(other, sphere));
+            from_others
+                .chain([from_eye])
+                .all(|way| formula.turn(way / sphere.radius) <= TURN)
+        })
+    };
+    let formulas = [Formula::Slide, Formula::Stable];
+    formulas.into_iter().find(holds).unwrap_or(Formula::InF64)
+}
+
+/// The longest way from the surface of one sphere to that of another.
+///
+/// From outside the first, the longest touches it: from behind, it is in its own way.
+fn way(from: &Sphere, to: &Sphere) -> f32 {
+    let distance = from.centre.distance(to.centre);
+    let tangent = (distance + from.radius) * (distance - from.radius);
+    if tangent > 0.0 {
+        tangent.sqrt() + to.radius
+    } else {
+        distance + from.radius
+    }
+}
+// ANCHOR_END: formula
