@@ -8,7 +8,7 @@ fn main() {
     for stage in light_backwards::STAGES {
         let _ = writeln!(
             terminal,
-            "cargo run --bin {:<16} {}",
+            "cargo run --bin {:<21} {}",
             stage.name, stage.title
         );
     }

@@ -22,6 +22,18 @@ pub const TASKS: [Task; 1] = [Task {
 /// Where the book keeps the studies' tables and charts.
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/studies");
 
+/// The study called `name`.
+///
+/// # Errors
+/// One line that names the studies there are.
+pub fn find(name: &str) -> Result<&'static Study, String> {
+    let study = STUDIES.into_iter().find(|study| study.name == name);
+    study.ok_or_else(|| {
+        let names = STUDIES.map(|study| study.name).join(", ");
+        format!("there is no study '{name}'; the studies: {names}")
+    })
+}
+
 /// Runs the study called `name`, or all of them for `all`, writes their tables and charts
 /// into the book, and says in a line each what came of it.
 ///
@@ -29,16 +41,10 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/studie
 /// In a debug build, for a name that no study has, and if a file cannot be written. What
 /// was written before is whole.
 pub fn measure(name: &str) -> Result<(), Failure> {
-    let chosen: Vec<&Study> = STUDIES
-        .into_iter()
-        .filter(|study| name == "all" || study.name == name)
-        .collect();
-    if chosen.is_empty() {
-        let names = STUDIES.map(|study| study.name).join(", ");
-        return Err(Failure::Usage(format!(
-            "there is no study '{name}'; the studies: {names}, or all"
-        )));
-    }
+    let chosen = match name {
+        "all" => STUDIES.to_vec(),
+        _ => vec![find(name).map_err(|line| Failure::Usage(line + ", or all"))?],
+    };
     if cfg!(debug_assertions) {
         return Err(Failure::Usage(
             "the times of a debug build mean nothing; measure with cargo run --release"

@@ -215,6 +215,36 @@ impl Table {
         Ok(Self { machine, rows })
     }
 
+    /// The number in the row of a scene, a method and a setting, and in the column called
+    /// `work`, `max`, `rms`, `wrong` or `ns`.
+    ///
+    /// # Errors
+    /// One line that says which of them is not there, or that nothing is in the cell.
+    pub fn number(
+        &self,
+        scene: &str,
+        method: &str,
+        setting: f64,
+        column: &str,
+    ) -> Result<f64, String> {
+        let is_wanted = |row: &&Measurement| {
+            row.scene == scene && row.method == method && row.setting == setting
+        };
+        let row = self.rows.iter().find(is_wanted);
+        let row =
+            row.ok_or_else(|| format!("there is no row {scene}, {method}, {setting}"))?;
+        let number = match column {
+            "work" => row.work,
+            "max" => row.max,
+            "rms" => row.rms,
+            "wrong" => row.wrong,
+            "ns" => row.ns,
+            _ => return Err(format!("there is no column “{column}” of numbers")),
+        };
+        let empty = || format!("the row {scene}, {method}, {setting} has no {column}");
+        number.ok_or_else(empty)
+    }
+
     /// The same without its times, which no test may compare.
     #[must_use]
     pub fn without_times(mut self) -> Self {

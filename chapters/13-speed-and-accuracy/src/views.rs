@@ -9,7 +9,7 @@ use glam::{UVec2, Vec2, Vec3};
 /// Chapter 13.
 pub const STAGE: Stage = Stage {
     name: "13-speed-and-accuracy",
-    title: "Speed against accuracy, and no more than a picture needs",
+    title: "Speed against accuracy",
     views: &[chart_view(&sphere::STUDY, |_| charts(&sphere::STUDY))],
 };
 
