@@ -61,19 +61,20 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
     if !options.is_empty() {
         options.insert_str(0, " --");
     }
-    let command = format!("cargo run --bin {}{options}", stage.name);
-    // A line may break between two words of the command, and nowhere else.
-    let words = command
-        .split(' ')
-        .map(|word| format!("<span>{word}</span>"));
-    let command = words.collect::<Vec<_>>().join(" ");
+    let command = command(&format!("cargo run --bin {}{options}", stage.name));
     let picture = format!("pictures/{}.snap.png", stage.picture_name(view, setting));
     Ok(format!(
         "<figure style=\"width: {width}px\">\n\
          <a href=\"{picture}\"><img src=\"{picture}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\"></a>\n\
-         <figcaption>{caption}<br><code>{command}</code></figcaption>\n\
+         <figcaption>{caption}<br>{command}</figcaption>\n\
          </figure>\n"
     ))
+}
+
+/// A command whose line may break between two words, and nowhere else.
+pub fn command(words: &str) -> String {
+    let words = words.split(' ').map(|word| format!("<span>{word}</span>"));
+    format!("<code>{}</code>", words.collect::<Vec<_>>().join(" "))
 }
 
 /// A setting of the view's knob that has a picture: the default, or one that its stage pins.

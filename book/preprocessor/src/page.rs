@@ -1,16 +1,20 @@
 //! One page: finds what is to be replaced, and leaves all else, code above all, as it is.
 
-use crate::{dependencies, figures, maths};
-use mdbook_preprocessor::errors::Result;
+use crate::{dependencies, figures, maths, studies};
+use mdbook_preprocessor::errors::{Error, Result};
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
-/// Replaces a page's formulas, figures, table of chapters and diagram of their dependencies.
+const OPTIONS: Options = Options::ENABLE_MATH
+    .union(Options::ENABLE_TABLES)
+    .union(Options::ENABLE_FOOTNOTES);
+
+/// Replaces a page's formulas, figures, charts, measured numbers, table of chapters and
+/// diagram of their dependencies.
 pub fn prepare(markdown: &str) -> Result<String> {
-    let options =
-        Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
+    let markdown = &with_numbers(markdown)?;
     let mut prepared = String::new();
     let mut done = 0;
-    for (event, place) in Parser::new_ext(markdown, options).into_offset_iter() {
+    for (event, place) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
         let replacement = match event {
             Event::InlineMath(latex) => Some(maths::inline(&latex)?),
             Event::DisplayMath(latex) => Some(maths::display(&latex)?),
@@ -26,8 +30,36 @@ pub fn prepare(markdown: &str) -> Result<String> {
     Ok(prepared + &markdown[done..])
 }
 
-/// What stands in for a paragraph that is nothing but `{{#figure …}}`, `{{#stages}}` or
-/// `{{#dependencies}}`.
+/// Replaces each `{{#measured …}}` that is not code, wherever it stands.
+fn with_numbers(markdown: &str) -> Result<String> {
+    let mut filled = String::new();
+    let mut done = 0;
+    for (event, place) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
+        if let Event::Code(_) | Event::Start(Tag::CodeBlock(_)) = event {
+            filled += &fill_in(&markdown[done..place.start])?;
+            filled += &markdown[place.clone()];
+            done = place.end;
+        }
+    }
+    Ok(filled + &fill_in(&markdown[done..])?)
+}
+
+fn fill_in(text: &str) -> Result<String> {
+    let mut filled = String::new();
+    let mut rest = text;
+    while let Some((before, command)) = rest.split_once("{{#measured ") {
+        let (asked, after) = command
+            .split_once("}}")
+            .ok_or_else(|| Error::msg("a {{#measured has no }}"))?;
+        filled += before;
+        filled += &studies::number(asked)?;
+        rest = after;
+    }
+    Ok(filled + rest)
+}
+
+/// What stands in for a paragraph that is nothing but `{{#figure …}}`, `{{#chart …}}`,
+/// `{{#stages}}` or `{{#dependencies}}`.
 fn paragraph(text: &str) -> Result<Option<String>> {
     let Some(command) = text
         .strip_prefix("{{#")
@@ -37,6 +69,7 @@ fn paragraph(text: &str) -> Result<Option<String>> {
     };
     match command.split_whitespace().collect::<Vec<_>>()[..] {
         ["figure", stage, ref views @ ..] => figures::figures(stage, views).map(Some),
+        ["chart", name] => studies::chart(name).map(Some),
         ["stages"] => Ok(Some(figures::chapters())),
         ["dependencies"] => dependencies::diagram().map(Some),
         _ => Ok(None),
@@ -46,6 +79,11 @@ fn paragraph(text: &str) -> Result<Option<String>> {
 #[cfg(test)]
 mod a_page {
     use super::prepare;
+    use crate::figures::escape;
+    use speed_and_accuracy::STUDIES;
+    use speed_and_accuracy::chart;
+    use speed_and_accuracy::studies::sphere;
+    use speed_and_accuracy::study::Table;
 
     #[test]
     fn keeps_what_is_neither_maths_nor_figure() {
@@ -55,7 +93,7 @@ mod a_page {
 
     #[test]
     fn keeps_its_code_even_if_it_looks_like_maths_or_a_figure() {
-        let page = "`$x$`\n\n```rust\nlet cost = \"$x$ or $$y$$\";\n\n{{#figure 02-sphere-hit flat}}\n```\n";
+        let page = "`$x$`\n\n```rust\nlet cost = \"$x$ or $$y$$\";\n\n{{#figure 02-sphere-hit flat}}\n\n{{#chart sphere}}\n```\n";
         assert_eq!(prepare(page).unwrap(), page);
     }
 
@@ -118,6 +156,107 @@ mod a_page {
             let problem = prepare(&format!("{{{{#figure {command}}}}}\n")).unwrap_err();
             assert!(problem.to_string().contains(complaint), "{problem}");
         }
+    }
+
+    #[test]
+    fn gets_the_charts_of_a_study() {
+        for study in STUDIES {
+            let command = format!("Before.\n\n{{{{#chart {}}}}}\n\nAfter.\n", study.name);
+            let page = prepare(&command).unwrap();
+            let table = Table::from_csv(study.table).unwrap();
+            for expected in [
+                &escape(study.title),
+                &format!("Measured on {}", escape(&table.machine)),
+                &format!("<a href=\"studies/{}.csv\">", study.name),
+                "<span>--release</span> <span>--bin</span> <span>13-speed-and-accuracy</span>",
+                &format!("<span>--study</span> <span>{}</span></code>", study.name),
+            ] {
+                assert!(page.contains(expected), "no {expected} in {page}");
+            }
+            // All of it, in one block of HTML.
+            let figure = page.strip_prefix("Before.\n\n<div class=\"figures\">\n");
+            let figure = figure.and_then(|page| page.strip_suffix("</div>\n\nAfter.\n"));
+            let figure = figure.expect("a figure");
+            assert!(!figure.contains("\n\n"), "{figure}");
+            let svg = chart::svg(study.title, study.charts, &table);
+            let lines = svg.lines().filter(|line| !line.is_empty());
+            assert!(
+                figure.contains(&lines.collect::<Vec<_>>().join("\n")),
+                "{figure}"
+            );
+        }
+    }
+
+    #[test]
+    fn cannot_show_the_charts_of_what_is_no_study() {
+        let problem = prepare("{{#chart spheres}}\n").unwrap_err().to_string();
+        assert!(problem.contains("'spheres'"), "{problem}");
+        for study in STUDIES {
+            assert!(problem.contains(study.name), "{problem}");
+        }
+    }
+
+    #[test]
+    fn gets_measured_numbers_wherever_they_stand_but_in_code() {
+        let ask = "{{#measured sphere; from afar; slide; 1000; wrong}}";
+        let table = Table::from_csv(sphere::STUDY.table).unwrap();
+        let number = table.number("from afar", "slide", 1e3, "wrong").unwrap();
+        let page = |number: &str| {
+            format!(
+                "# Wrong: {number}\n\n{number} % is *wrong ({number} %)*, or $x = {number}$.\n\n\
+                 * An item with {number} and {number}.\n\n\
+                 | {number} | b |\n|---|---|\n| 1 | {number} |\n\n\
+                 <p>{number}</p>\n\n`{ask}`, says\n\n```text\n{ask}\n```\n"
+            )
+        };
+        let expected = prepare(&page(&number.to_string())).unwrap();
+        assert_eq!(prepare(&page(ask)).unwrap(), expected);
+        let broken = ask
+            .replace("; ", ";\n  ")
+            .replace("from afar", "from\nafar");
+        assert_eq!(prepare(&page(&broken)).unwrap(), expected);
+    }
+
+    #[test]
+    fn cannot_know_a_number_that_nobody_measured() {
+        for (asked, complaint) in [
+            (
+                "cube; from afar; slide; 1000; wrong",
+                "there is no study 'cube'",
+            ),
+            (
+                "sphere; afar; slide; 1000; wrong",
+                "no row afar, slide, 1000",
+            ),
+            (
+                "sphere; from afar; slid; 1000; wrong",
+                "no row from afar, slid, 1000",
+            ),
+            (
+                "sphere; from afar; slide; 1001; wrong",
+                "no row from afar, slide, 1001",
+            ),
+            (
+                "sphere; from afar; slide; far; wrong",
+                "“far” is not a number",
+            ),
+            ("sphere; from afar; slide; 1000; scene", "no column “scene”"),
+            ("sphere; from afar; slide; 1000; work", "has no work"),
+            (
+                "sphere; from afar; slide; 1000",
+                "not STUDY; SCENE; METHOD;",
+            ),
+            (
+                "sphere; from afar; slide; 1000; wrong; ns",
+                "not STUDY; SCENE;",
+            ),
+        ] {
+            let page = format!("It is {{{{#measured {asked}}}}} % wrong.\n");
+            let problem = prepare(&page).unwrap_err().to_string();
+            assert!(problem.contains(complaint), "{problem}");
+        }
+        let problem = prepare("It is {{#measured sphere; from afar\n").unwrap_err();
+        assert!(problem.to_string().contains("has no }}"), "{problem}");
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! The book as mdBook builds it: whole, and in need of no network.
 
 use html5gum::{Token, Tokenizer};
+use speed_and_accuracy::STUDIES;
+use speed_and_accuracy::study::Study;
 use std::collections::BTreeMap;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -46,6 +48,9 @@ fn the_built_book_needs_no_network_and_has_no_loose_ends() {
         .collect();
     for (file, page) in &built_pages {
         check_page(file, page, &built_pages, &mut problems);
+    }
+    for study in STUDIES {
+        check_charts(study, &built_pages, &mut problems);
     }
     for file in with_ending(&files, "css") {
         let css = fs::read_to_string(file).expect("a style sheet");
@@ -121,6 +126,28 @@ fn check_page(
             Some(url) if tag == "link" => check_asset(file, url, problems),
             Some(url) if tag == "a" => check_link(file, url, pages, problems),
             _ => (),
+        }
+    }
+}
+
+/// A study's charts are whole on every page that asks for them, and so in the book for print.
+fn check_charts(
+    study: &Study,
+    pages: &BTreeMap<&PathBuf, Page>,
+    problems: &mut Vec<String>,
+) {
+    let book = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../src"));
+    let svg = Page::read(&book.join(format!("studies/{}.svg", study.name)));
+    let command = format!("{{{{#chart {}}}}}", study.name);
+    for (file, page) in pages {
+        let name = Path::new(file.file_name().expect("a name"));
+        let source = fs::read_to_string(book.join(name.with_extension("md")));
+        let is_asked = source.is_ok_and(|source| source.contains(&command));
+        let mut parts = page.tags.windows(svg.tags.len());
+        let is_there = parts.any(|tags| tags == svg.tags);
+        if (is_asked || name == "print.html") && !is_there {
+            let problem = format!("{}: no {}.svg", file.display(), study.name);
+            problems.push(problem);
         }
     }
 }
