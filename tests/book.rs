@@ -3,6 +3,9 @@
 use canvas::{Stage, View};
 use light_backwards::STAGES;
 use pulldown_cmark::{Event, Parser, Tag};
+use speed_and_accuracy::STUDIES;
+use speed_and_accuracy::studies;
+use speed_and_accuracy::study::{Study, Table};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,7 +89,11 @@ mod the_source {
             }
         }
         for stage in STAGES {
-            let shown = views_of(stage, &read(&page_of(stage)));
+            let page = read(&page_of(stage));
+            let mut shown = views_of(stage, &page);
+            if stage.name == speed_and_accuracy::STAGE.name {
+                shown.extend(commands(&page, "chart"));
+            }
             for view in stage.views {
                 if !shown.contains(view.name) {
                     problems.push(format!(
@@ -95,6 +102,41 @@ mod the_source {
                         view.name
                     ));
                 }
+            }
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn shows_every_studys_chart_in_chapter_13_and_in_another() {
+        let last = &speed_and_accuracy::STAGE;
+        let shows = |stage: &Stage, study: &Study| {
+            commands(&read(&page_of(stage)), "chart").contains(&study.name.to_string())
+        };
+        let mut problems = Vec::new();
+        for study in STUDIES {
+            if !shows(last, study) {
+                problems.push(format!("{} does not show {}", page_of(last), study.name));
+            }
+            let mut others = STAGES.into_iter().filter(|stage| stage.name != last.name);
+            if !others.any(|stage| shows(stage, study)) {
+                problems.push(format!("no other chapter shows {}", study.name));
+            }
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn asks_only_for_charts_and_numbers_that_there_are() {
+        let mut problems = Vec::new();
+        for page in pages() {
+            let text = read(&page);
+            let charts = commands(&text, "chart");
+            let charts = charts.iter().map(|name| studies::find(name).map(drop));
+            let numbers = commands(&text, "measured");
+            let numbers = numbers.iter().map(|asked| measured(asked).map(drop));
+            for problem in charts.chain(numbers).filter_map(Result::err) {
+                problems.push(format!("{page}: {problem}"));
             }
         }
         none(&problems);
@@ -233,6 +275,20 @@ fn picture(stage: &str, word: &str) -> String {
     });
     let picture = picture.unwrap_or_else(|| "of that name".to_string());
     format!("pictures/{picture}.snap.png")
+}
+
+/// The number for `{{#measured STUDY; SCENE; METHOD; SETTING; COLUMN}}`.
+fn measured(asked: &str) -> Result<f64, String> {
+    let asked = asked.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words: Vec<_> = asked.split(';').map(str::trim).collect();
+    let [name, scene, method, setting, column] = words[..] else {
+        return Err(format!("{asked} is not five words"));
+    };
+    let setting = setting
+        .parse()
+        .map_err(|_| format!("“{setting}” is no setting"))?;
+    let table = Table::from_csv(studies::find(name)?.table)?;
+    table.number(scene, method, setting, column)
 }
 
 fn none(problems: &[String]) {

@@ -3,6 +3,7 @@
 use canvas::{Canvas, Stage};
 use glam::UVec2;
 use light_backwards::STAGES;
+use speed_and_accuracy::STUDIES;
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fs;
@@ -24,10 +25,12 @@ const BINARIES: [&str; STAGES.len()] = [
     env!("CARGO_BIN_EXE_09-anti-aliasing"),
     env!("CARGO_BIN_EXE_10-shadow-acne"),
     env!("CARGO_BIN_EXE_11-transparency"),
+    env!("CARGO_BIN_EXE_13-speed-and-accuracy"),
 ];
 const SPHERE_HIT: &str = BINARIES[2];
 const SHADOWS: &str = BINARIES[4];
 const SHADING: &str = BINARIES[5];
+const SPEED_AND_ACCURACY: &str = BINARIES[12];
 
 /// A small picture's size, as an argument and as the library has it.
 const SMALL: (&str, UVec2) = ("40x30", UVec2::new(40, 30));
@@ -346,6 +349,37 @@ fn what_makes_no_sense_is_refused_with_code_2_and_what_would_be_right() {
 }
 
 #[test]
+fn study_measures_no_study_that_there_is_not_and_nothing_in_a_debug_build() {
+    let folder = temp();
+    let refused = |arguments: &[&str], words: &[&str]| {
+        let mut command = command(SPEED_AND_ACCURACY, arguments, folder.path());
+        assert_refused(&mut command, folder.path(), 2, words);
+    };
+    let studies = STUDIES.map(|study| study.name).join(", ");
+    for unknown in ["nope", "", "-1", "All", "two\nlines"] {
+        refused(&["--study", unknown], &[&studies, "or all"]);
+    }
+    refused(&["--study"], &["--study <NAME>", "--help"]);
+    for name in STUDIES.map(|study| study.name).into_iter().chain(["all"]) {
+        for other in [["--view", name], ["--png", "a.png"], ["--all", "."]] {
+            let arguments = [&["--study", name], &other[..]].concat();
+            refused(&arguments, &["--study", other[0]]);
+        }
+        refused(&["--study", name, "--list"], &["--study", "--list"]);
+        refused(&["--study", name, "--study", name], &["--study"]);
+        // In release it would measure, for minutes, and write into the book.
+        if cfg!(debug_assertions) {
+            refused(&["--study", name], &["debug build", "cargo run --release"]);
+        }
+    }
+    let help = accepted(SPEED_AND_ACCURACY, &["--help"], folder.path());
+    assert!(help.join("\n").contains("--study <NAME>"), "{help:?}");
+    // No other chapter measures.
+    let mut command = command(SHADING, &["--study", "all"], folder.path());
+    assert_refused(&mut command, folder.path(), 2, &["--study", "--help"]);
+}
+
+#[test]
 fn what_cannot_be_saved_is_refused_with_code_1_before_anything_is_written() {
     let folder = temp();
     let at = |name: &str| folder.path().join(name);
@@ -472,9 +506,12 @@ mod unix {
     fn an_argument_that_is_not_utf_8_is_refused_unless_it_is_a_path() {
         let folder = temp();
         let odd = OsStr::from_bytes(b"\xff.png");
-        for option in ["--view", "--knob", "--size"] {
+        let options = ["--view", "--knob", "--size"].map(|option| (SHADOWS, option));
+        for (binary, option) in
+            options.into_iter().chain([(SPEED_AND_ACCURACY, "--study")])
+        {
             let arguments = [OsStr::new(option), odd];
-            let mut command = command(SHADOWS, &arguments, folder.path());
+            let mut command = command(binary, &arguments, folder.path());
             assert_refused(&mut command, folder.path(), 2, &["UTF-8", "--help"]);
         }
         // Linux takes any bytes for a name.
