@@ -80,6 +80,8 @@ struct Palette {
     ink: RGBColor,
     faint: RGBColor,
     methods: [RGBColor; 6],
+    /// A raised minus sign.
+    minus: char,
 }
 
 /// Stands in for the colours of the theme, which a page knows and we do not.
@@ -95,6 +97,7 @@ const THEME: Palette = Palette {
         RGBColor(1, 2, 5),
         RGBColor(1, 2, 6),
     ],
+    minus: '⁻',
 };
 
 /// The window's; those of a light page.
@@ -110,6 +113,8 @@ const PAPER: Palette = Palette {
         RGBColor(0x8a, 0x61, 0x00),
         RGBColor(0x55, 0x55, 0x55),
     ],
+    // A macron: our font has no ⁻.
+    minus: '¯',
 };
 
 /// The charts above each other as an SVG, whose colours are the variables `--chart-ink`,
@@ -197,12 +202,14 @@ struct Logarithmic {
     to: f64,
     /// Whether the lower end stands for 0, which has no logarithm.
     has_zero: bool,
+    /// A raised minus sign.
+    minus: char,
 }
 
 impl Logarithmic {
     /// Holds all the values, and ends at whole decades, or a little beyond what is less
     /// than one.
-    fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
+    fn of(values: impl Iterator<Item = f64> + Clone, minus: char) -> Self {
         let has_zero = values.clone().any(|value| value == 0.0);
         let places = values
             .filter(|&value| value > 0.0 && value.is_finite())
@@ -217,7 +224,12 @@ impl Logarithmic {
             [from, ..] => (from - 0.1, places[places.len() - 1] + 0.1),
         };
         let from = if has_zero { (from - 0.5).floor() } else { from };
-        Self { from, to, has_zero }
+        Self {
+            from,
+            to,
+            has_zero,
+            minus,
+        }
     }
 }
 
@@ -241,7 +253,7 @@ impl Ranged for Logarithmic {
         start + (part.clamp(0.0, 1.0) * f64::from(end - start)).round() as i32
     }
 
-    /// Powers of ten, no more than nine; or 1, 2 and 5 of each.
+    /// Powers of ten, no more than nine; or 1, 2 and 5 of each; or 1 to 9.
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
         let decades = self.from.floor() as i32..=self.to.ceil() as i32;
         let step = ((self.to - self.from) / 8.0).ceil() as i32;
@@ -251,9 +263,15 @@ impl Ranged for Logarithmic {
                 .map(power_of_ten)
                 .collect()
         } else {
-            let digits =
-                |decade| [1.0, 2.0, 5.0].map(|digit| digit * power_of_ten(decade));
-            decades.flat_map(digits).collect()
+            let is_short = self.to - self.from < 0.7;
+            let digits: &[f64] = if is_short {
+                &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+            } else {
+                &[1.0, 2.0, 5.0]
+            };
+            let of_one =
+                |decade| digits.iter().map(move |digit| digit * power_of_ten(decade));
+            decades.flat_map(of_one).collect()
         };
         let mut from = self.from - 1e-9;
         let mut shown = Vec::new();
@@ -284,7 +302,7 @@ impl ValueFormatter<f64> for Logarithmic {
             Some(digit) => {
                 ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize]
             }
-            None => '⁻',
+            None => self.minus,
         };
         format!("10{}", exponent.chars().map(raised).collect::<String>())
     }
@@ -341,8 +359,8 @@ impl Chart {
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
         let lines = self.lines(table);
         let points = lines.iter().flat_map(|line| &line.points);
-        let x = Logarithmic::of(points.clone().map(|point| point.0));
-        let y = Logarithmic::of(points.map(|point| point.1));
+        let x = Logarithmic::of(points.clone().map(|point| point.0), palette.minus);
+        let y = Logarithmic::of(points.map(|point| point.1), palette.minus);
         let scaled = |length: f64| (length * scale) as i32;
         let font = |colour: RGBColor| (FONT, LETTERS * scale).into_font().color(&colour);
 
@@ -350,8 +368,8 @@ impl Chart {
             .caption(self.title, font(palette.ink))
             .margin(scaled(8.0))
             .margin_right(scaled(f64::from(NAMES)))
-            .x_label_area_size(scaled(42.0))
-            .y_label_area_size(scaled(64.0))
+            .x_label_area_size(scaled(48.0))
+            .y_label_area_size(scaled(70.0))
             .build_cartesian_2d(x, y)?;
         chart
             .configure_mesh()
@@ -362,6 +380,8 @@ impl Chart {
             .axis_style(palette.ink)
             .bold_line_style(palette.faint)
             .light_line_style(TRANSPARENT)
+            // Longer than a mark at the axis is wide.
+            .set_all_tick_mark_size(scaled(8.0))
             .draw()?;
 
         if self.front {
@@ -379,7 +399,9 @@ impl Chart {
         for (i, line) in lines.iter().enumerate() {
             let colour = palette.methods[i % palette.methods.len()];
             let stroke = colour.stroke_width(scaled(2.0) as u32);
-            chart.draw_series(LineSeries::new(line.points.clone(), stroke))?;
+            // One by one: in one piece, a sharp bend would grow a spike in pixels.
+            let segments = line.points.windows(2);
+            chart.draw_series(segments.map(|ends| PathElement::new(ends, stroke)))?;
             for point in &line.points {
                 let place = chart.backend_coord(point);
                 mark(area, i, place, scaled(4.0), colour)?;
