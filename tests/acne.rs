@@ -9,21 +9,20 @@ mod shadow_acne {
     use ::canvas::{Canvas, Picture, Pixel};
     use ::plane_hit::{Object, Pattern, Plane, Shape};
     use ::ray_casting::Camera;
-    use ::reflection::{MAX_DEPTH, Reach, reflect};
+    use ::reflection::{MAX_DEPTH, Reach};
     use ::refraction::{Body, Material};
     use ::shading::Phong;
     use ::shadow_acne::{
-        Leave, Leaving, at_the_point, by_a_fixed_offset, by_a_scaled_offset,
-        from_the_eye, from_the_surface, trace,
+        Leave, at_the_point, by_a_fixed_offset, by_a_scaled_offset, from_the_eye,
+        from_the_surface, trace,
     };
     use ::shadows::{PointLight, Scene};
-    use ::sphere_hit::{FARTHEST, Hit, Sphere, facing};
+    use ::speed_and_accuracy::studies::acne::{
+        Configuration, Ground, Secondary, Tally, Way,
+    };
+    use ::sphere_hit::{FARTHEST, Sphere};
     use glam::{DVec3, UVec2, Vec3, dvec3};
-    use rayon::prelude::*;
-    use std::ops::AddAssign;
     use std::sync::LazyLock;
-
-    const SIZE: UVec2 = UVec2::new(240, 180);
 
     /// The four ways to leave, in the order of the chapter; the last is the cure.
     const METHODS: [(&str, Leave<()>); 4] = [
@@ -49,293 +48,6 @@ mod shadow_acne {
         (1.0, 1e5),
     ];
 
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    enum Ground {
-        Plane,
-        /// Of radius 1000.
-        Sphere,
-    }
-
-    /// The ray that leaves where a camera ray has met something.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    enum Secondary {
-        /// Towards the lamp, if that is in front of the surface.
-        Shadow,
-        /// Mirrored.
-        Reflection,
-    }
-
-    /// How a ray meets an object.
-    type Meets = fn(&Leaving<()>, &Object<()>, f32) -> Option<Hit>;
-
-    /// As chapter 10 does.
-    fn in_f32(leaving: &Leaving<()>, object: &Object<()>, t_max: f32) -> Option<Hit> {
-        leaving.hit(object, t_max)
-    }
-
-    /// The same, but for spheres that the ray does not come from, which it meets in f64.
-    fn in_f64(leaving: &Leaving<()>, object: &Object<()>, t_max: f32) -> Option<Hit> {
-        let is_where_from = leaving.from.is_some_and(|from| std::ptr::eq(from, object));
-        match &object.shape {
-            Shape::Sphere(sphere) if !is_where_from => {
-                sphere.hit_in_f64(&leaving.ray, t_max)
-            }
-            _ => leaving.hit(object, t_max),
-        }
-    }
-
-    #[derive(Clone, Copy)]
-    struct Configuration {
-        ground: Ground,
-        secondary: Secondary,
-        is_f64: bool,
-        scale: f64,
-        distance: f64,
-    }
-
-    /// How a method did in a configuration, in pixels.
-    #[derive(Clone, Copy, Debug, Default)]
-    struct Tally {
-        /// Where the exact ray meets nothing.
-        clear: usize,
-        /// Of those, where ours meets something.
-        false_hits: usize,
-        /// Where the exact ray meets something.
-        blocked: usize,
-        /// Of those, where ours meets nothing, or another thing, but not what it leaves.
-        leaks: usize,
-        /// Where ours meets the surface that it leaves, which is convex, from its outside.
-        self_hits: usize,
-        /// Where the camera ray meets another thing than the exact one: how the next ray leaves does not
-        /// matter there, and nothing else is counted.
-        strays: usize,
-    }
-
-    impl AddAssign for Tally {
-        fn add_assign(&mut self, other: Self) {
-            self.clear += other.clear;
-            self.false_hits += other.false_hits;
-            self.blocked += other.blocked;
-            self.leaks += other.leaks;
-            self.self_hits += other.self_hits;
-            self.strays += other.strays;
-        }
-    }
-
-    impl Tally {
-        fn note(&mut self, own: usize, exact: Option<usize>, ours: Option<usize>) {
-            self.self_hits += usize::from(ours == Some(own));
-            if exact.is_none() {
-                self.clear += 1;
-                self.false_hits += usize::from(ours.is_some());
-            } else {
-                self.blocked += 1;
-                self.leaks += usize::from(ours != exact && ours != Some(own));
-            }
-        }
-
-        /// In percent of the clear pixels.
-        fn false_hits(&self) -> f64 {
-            100.0 * self.false_hits as f64 / self.clear as f64
-        }
-
-        /// In percent of the blocked pixels.
-        fn leaks(&self) -> f64 {
-            100.0 * self.leaks as f64 / self.blocked as f64
-        }
-    }
-
-    /// Where a line in f64 meets a shape of f32 numbers ahead of its origin, in lengths of its direction.
-    ///
-    /// By another derivation than the chapters': with Lagrange's identity |d|²|o|² − (d·o)² = |d × o|² nothing
-    /// large is subtracted from something large.
-    fn exactly(shape: &Shape, origin: DVec3, direction: DVec3) -> Option<f64> {
-        let ahead = |t: f64| (t > 0.0 && t.is_finite()).then_some(t);
-        match shape {
-            Shape::Plane(plane) => {
-                let normal = plane.normal.as_dvec3();
-                let height = normal.dot(plane.point.as_dvec3() - origin);
-                ahead(height / normal.dot(direction))
-            }
-            Shape::Sphere(sphere) => {
-                let (o, r) =
-                    (origin - sphere.centre.as_dvec3(), f64::from(sphere.radius));
-                let (a, b) = (direction.length_squared(), direction.dot(o));
-                let discriminant = a * r * r - direction.cross(o).length_squared();
-                if discriminant < 0.0 {
-                    return None;
-                }
-                // The root of the larger magnitude, and the other from the product of both.
-                let larger = -b - discriminant.sqrt().copysign(b);
-                let roots = [larger / a, (o.length() - r) * (o.length() + r) / larger];
-                ahead(roots[0].min(roots[1])).or_else(|| ahead(roots[0].max(roots[1])))
-            }
-        }
-    }
-
-    /// A scene, in f32.
-    struct Place {
-        objects: Vec<Object<()>>,
-        lamp: Vec3,
-        camera: Camera,
-    }
-
-    impl Configuration {
-        fn place(&self) -> Place {
-            let away = dvec3(0.64, 0.48, -0.6);
-            let at = |p: DVec3| (self.scale * (p + self.distance * away)).as_vec3();
-            let ball = |centre: DVec3, radius: f64| {
-                let radius = (self.scale * radius) as f32;
-                Shape::Sphere(Sphere::new(at(centre), radius).expect("a sphere"))
-            };
-            let pole = dvec3(0.0, -1000.0, 0.0);
-            let ground = match self.ground {
-                Ground::Plane => {
-                    Shape::Plane(Plane::new(at(DVec3::ZERO), Vec3::Y).expect("a plane"))
-                }
-                Ground::Sphere => ball(pole, 1000.0),
-            };
-            // A ball above (x, z), with some air between it and the ground.
-            let resting = |x, z, radius, air| {
-                let height = radius + air;
-                let centre = match self.ground {
-                    Ground::Plane => dvec3(x, height, z),
-                    Ground::Sphere => {
-                        pole + (1000.0 + height) * dvec3(x, 1000.0, z).normalize()
-                    }
-                };
-                ball(centre, radius)
-            };
-            let shapes = [
-                ground,
-                resting(0.0, 1.2, 1.0, 0.0),
-                resting(0.5, -1.4, 0.05, 0.0),
-                resting(0.4, -1.45, 0.005, 0.0),
-                resting(0.7, -1.5, 0.05, 0.002),
-                resting(0.25, -1.3, 0.05, 0.0001),
-            ];
-            let objects = shapes.map(|shape| Object {
-                name: "",
-                shape,
-                material: (),
-            });
-            let eye = dvec3(0.4, 0.9, -3.6);
-            let towards = (dvec3(0.3, 0.0, -1.0) - eye).as_vec3();
-            Place {
-                objects: objects.into(),
-                lamp: at(dvec3(-3.0, 4.0, -4.0)),
-                camera: Camera::new(at(eye), towards, Vec3::Y, 2.0).expect("a camera"),
-            }
-        }
-
-        /// What each of the methods makes of it.
-        fn tallies(&self) -> [Tally; 4] {
-            let place = self.place();
-            let pixel = |i| Pixel {
-                x: i % SIZE.x,
-                y: i / SIZE.x,
-                size: SIZE,
-            };
-            let pixels = (0..SIZE.x * SIZE.y).into_par_iter().map(pixel);
-            let tallies = pixels.filter_map(|pixel| self.look(&place, pixel));
-            let add = |mut sum: [Tally; 4], tallies: [Tally; 4]| {
-                sum.iter_mut()
-                    .zip(tallies)
-                    .for_each(|(sum, tally)| *sum += tally);
-                sum
-            };
-            tallies.reduce(Default::default, add)
-        }
-
-        /// One pixel; `None` if there is no secondary ray.
-        fn look(&self, place: &Place, pixel: Pixel) -> Option<[Tally; 4]> {
-            let meets = if self.is_f64 { in_f64 } else { in_f32 };
-            let objects = &place.objects;
-            let ray = place.camera.ray(pixel.centre());
-            let [eye, incident] = [ray.origin, ray.direction].map(|v| v.as_dvec3());
-            let exact = first(objects, None, eye, incident, f64::INFINITY);
-            let ours = nearest(&from_the_eye(ray), objects, meets, FARTHEST);
-            if exact.map(|(own, _)| own) != ours.map(|(own, _)| own) {
-                let strays = 1;
-                return Some(
-                    [Tally {
-                        strays,
-                        ..Tally::default()
-                    }; 4],
-                );
-            }
-            let ((own, t), (_, hit)) = exact.zip(ours)?;
-            let exact_point = eye + t * incident;
-            let exact_normal = match &objects[own].shape {
-                Shape::Sphere(sphere) => {
-                    (exact_point - sphere.centre.as_dvec3()).normalize()
-                }
-                Shape::Plane(plane) => plane.normal.as_dvec3(),
-            };
-            let point = ray.at(hit.t);
-            let normal = facing(hit.normal, ray.direction);
-            // The direction, how far it matters, and the same exactly, where a way is as long as its direction.
-            let (direction, t_max, way, way_end) = match self.secondary {
-                Secondary::Shadow => {
-                    let to_lamp = place.lamp - point;
-                    let way = place.lamp.as_dvec3() - exact_point;
-                    if !(normal.dot(to_lamp) > 0.0 && exact_normal.dot(way) > 0.0) {
-                        return None;
-                    }
-                    (to_lamp.normalize(), to_lamp.length(), way, 1.0)
-                }
-                Secondary::Reflection => {
-                    let way = incident - 2.0 * incident.dot(exact_normal) * exact_normal;
-                    (reflect(ray.direction, normal), FARTHEST, way, f64::INFINITY)
-                }
-            };
-            let exact =
-                first(objects, Some(own), exact_point, way, way_end).map(|(i, _)| i);
-            Some(METHODS.map(|(_, leave)| {
-                let leaving = leave(&objects[own], point, hit.normal, direction);
-                let ours = nearest(&leaving, objects, meets, t_max).map(|(i, _)| i);
-                let mut tally = Tally::default();
-                tally.note(own, exact, ours);
-                tally
-            }))
-        }
-    }
-
-    /// The first object before `t_max`, exactly: by its place in the list, and where. What the line leaves it
-    /// cannot meet, for that is convex, and the line leads outwards.
-    fn first(
-        objects: &[Object<()>],
-        left: Option<usize>,
-        origin: DVec3,
-        direction: DVec3,
-        t_max: f64,
-    ) -> Option<(usize, f64)> {
-        let others = objects.iter().enumerate().filter(|&(i, _)| Some(i) != left);
-        others
-            .filter_map(|(i, object)| {
-                Some((i, exactly(&object.shape, origin, direction)?))
-            })
-            .filter(|&(_, t)| t < t_max)
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
-    /// The first object before `t_max`, by its place in the list.
-    fn nearest(
-        leaving: &Leaving<()>,
-        objects: &[Object<()>],
-        meets: Meets,
-        mut t_max: f32,
-    ) -> Option<(usize, Hit)> {
-        let mut nearest = None;
-        for (i, object) in objects.iter().enumerate() {
-            if let Some(hit) = meets(leaving, object, t_max) {
-                t_max = hit.t;
-                nearest = Some((i, hit));
-            }
-        }
-        nearest
-    }
-
     /// One of the eight tables: a ground, a kind of ray, an intersector.
     struct Table {
         ground: Ground,
@@ -358,7 +70,8 @@ mod shadow_acne {
                             scale,
                             distance,
                         };
-                        configuration.tallies()
+                        let trial = configuration.trial();
+                        METHODS.map(|(_, leave)| trial.tally(Way::Taught(leave)))
                     });
                     tables.push(Table {
                         ground,

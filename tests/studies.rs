@@ -25,7 +25,7 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere);
+    studies!(sphere acne);
 }
 
 fn check(study: &Study) {

@@ -1,5 +1,6 @@
 //! The studies, and what runs them.
 
+pub mod acne;
 pub mod sphere;
 
 use crate::chart;
@@ -9,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 1] = [&sphere::STUDY];
+pub const STUDIES: [&Study; 2] = [&sphere::STUDY, &acne::STUDY];
 
 /// What the chapter's command line can do beside showing its views.
 pub const TASKS: [Task; 1] = [Task {

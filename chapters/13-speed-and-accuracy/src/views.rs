@@ -1,7 +1,7 @@
 //! What chapter 13 shows: the studies' charts.
 
 use crate::chart;
-use crate::studies::sphere;
+use crate::studies::{acne, sphere};
 use crate::study::{Study, Table};
 use canvas::{Picture, Pixel, Stage, View, decode};
 use glam::{UVec2, Vec2, Vec3};
@@ -10,7 +10,10 @@ use glam::{UVec2, Vec2, Vec3};
 pub const STAGE: Stage = Stage {
     name: "13-speed-and-accuracy",
     title: "Speed against accuracy",
-    views: &[chart_view(&sphere::STUDY, |_| charts(&sphere::STUDY))],
+    views: &[
+        chart_view(&sphere::STUDY, |_| charts(&sphere::STUDY)),
+        chart_view(&acne::STUDY, |_| charts(&acne::STUDY)),
+    ],
 };
 
 const fn chart_view(study: &'static Study, picture: fn(f32) -> Picture) -> View {

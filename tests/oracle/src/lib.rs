@@ -131,6 +131,16 @@ impl Shape {
         }
     }
 
+    /// How far along the ray, in lengths of its direction, it first meets the shape ahead of its origin.
+    ///
+    /// `starts_here` says that the origin is on the shape's surface: that is not met a second time, but
+    /// for the far side of a ball.
+    #[must_use]
+    pub fn meets(&self, ray: &Ray, starts_here: bool) -> Option<f64> {
+        let ends = self.stretch(ray, starts_here)?;
+        ends.into_iter().find(|&t| t > 0.0)
+    }
+
     /// The point of the surface next to one that has been computed.
     fn nearest_to(&self, at: DVec3) -> DVec3 {
         match *self {
@@ -283,8 +293,8 @@ impl Scene {
 
     /// How far along the ray, in lengths of its direction, it first meets a thing ahead of its origin.
     fn meets(&self, thing: usize, ray: &Ray) -> Option<f64> {
-        let ends = self.stretch(thing, ray)?;
-        ends.into_iter().find(|&t| t > 0.0)
+        let starts_here = ray.from == Some(thing);
+        self.things[thing].shape.meets(ray, starts_here)
     }
 
     /// The first thing in a ray's way.
