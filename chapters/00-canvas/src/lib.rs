@@ -67,6 +67,12 @@ impl Picture {
     pub fn new(light: impl Fn(Pixel) -> Vec3 + Send + Sync + 'static) -> Self {
         Self(Box::new(light))
     }
+
+    /// The light of one pixel.
+    #[must_use]
+    pub fn light(&self, pixel: Pixel) -> Vec3 {
+        (self.0)(pixel)
+    }
 }
 // ANCHOR_END: picture
 
@@ -105,7 +111,7 @@ impl Row {
     fn paint(picture: &Picture, size: UVec2, y: u32) -> Self {
         let rays_before = rays_so_far();
         let light: Vec<Vec3> = (0..size.x)
-            .map(|x| (picture.0)(Pixel { x, y, size }))
+            .map(|x| picture.light(Pixel { x, y, size }))
             .collect();
         debug_assert!(
             light.iter().all(|light| light.is_finite()),
