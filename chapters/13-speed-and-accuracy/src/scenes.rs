@@ -1,7 +1,8 @@
 //! The book's scenes, for the planner: what chapters 3 to 11 draw.
 
-use crate::plan::Surface;
+use crate::plan::{Plan, Surface};
 use anti_aliasing::views::horizon_camera;
+use canvas::Picture;
 use glam::Vec3;
 use plane_hit::views::STILL_LIFE_COLOURS;
 use plane_hit::{Object, Pattern, Shape, still_life};
@@ -27,6 +28,18 @@ pub struct BookScene {
     pub name: &'static str,
     /// Makes it.
     pub make: fn() -> (Model, Camera),
+}
+
+/// The scene called `name`.
+///
+/// # Errors
+/// One line that names them all, if none is called so.
+pub fn find(name: &str) -> Result<&'static BookScene, String> {
+    let found = SCENES.iter().find(|scene| scene.name == name);
+    found.ok_or_else(|| {
+        let names = SCENES.map(|scene| scene.name).join(", ");
+        format!("there is no scene '{name}'; the scenes: {names}")
+    })
 }
 
 /// A scene as chapters 3 to 10 see light, or as chapter 11 does.
@@ -153,6 +166,33 @@ pub fn nested() -> (Model, Camera) {
 }
 
 impl Model {
+    /// What its picture needs, to be wrong by no more than a `wish`, in levels.
+    #[must_use]
+    pub fn plan(&self, camera: &Camera, wish: f32) -> Plan {
+        match self {
+            Self::Plain(scene) => Plan::new(scene, camera, wish),
+            Self::Tinted(scene) => Plan::new(scene, camera, wish),
+        }
+    }
+
+    /// Its picture by a plan, with one sample for each pixel, in its centre.
+    #[must_use]
+    pub fn at_centres(self, plan: Plan, camera: Camera) -> Picture {
+        match self {
+            Self::Plain(scene) => plan.at_centres(scene, camera),
+            Self::Tinted(scene) => plan.at_centres(scene, camera),
+        }
+    }
+
+    /// Its picture by a plan.
+    #[must_use]
+    pub fn planned(self, plan: Plan, camera: Camera) -> Picture {
+        match self {
+            Self::Plain(scene) => plan.picture(scene, camera),
+            Self::Tinted(scene) => plan.picture(scene, camera),
+        }
+    }
+
     /// What a ray brings back by the chapters' own tracers.
     #[must_use]
     pub fn trace(&self, ray: Ray, reach: Reach) -> Vec3 {

@@ -1,24 +1,37 @@
 //! The studies, and what runs them.
 
 pub mod acne;
+pub mod plan;
 pub mod sphere;
 
 use crate::chart;
+use crate::plan::WISH;
+use crate::scenes;
 use crate::study::{Clock, Study, Table, machine};
-use canvas::{Failure, Task};
+use canvas::{Canvas, Failure, Task};
+use glam::UVec2;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 2] = [&sphere::STUDY, &acne::STUDY];
+pub const STUDIES: [&Study; 3] = [&sphere::STUDY, &acne::STUDY, &plan::STUDY];
 
 /// What the chapter's command line can do beside showing its views.
-pub const TASKS: [Task; 1] = [Task {
+pub const TASKS: [Task; 2] = [STUDY_TASK, PLAN_TASK];
+
+const STUDY_TASK: Task = Task {
     flag: "study",
     value: "NAME",
     help: "Measure again, and write the table and the chart into the book: the name of a chart's view, or all",
     run: measure,
-}];
+};
+
+const PLAN_TASK: Task = Task {
+    flag: "plan",
+    value: "SCENE",
+    help: "Say what the picture of a scene of the book needs, and what that costs: still-life, facing-mirrors, planet …",
+    run: say_plan,
+};
 
 /// Where the book keeps the studies' tables and charts.
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/studies");
@@ -74,6 +87,20 @@ pub fn measure(name: &str) -> Result<(), Failure> {
         progress.inc(1);
     }
     progress.finish_and_clear();
+    Ok(())
+}
+
+/// Says in words what the picture of a scene of the book needs, and counts its rays.
+fn say_plan(name: &str) -> Result<(), Failure> {
+    let scene = scenes::find(name).map_err(Failure::Usage)?;
+    let (model, camera) = (scene.make)();
+    let plan = model.plan(&camera, WISH);
+    canvas::say(&plan.to_string());
+    let size = UVec2::new(320, 240);
+    let rays = Canvas::paint(&model.planned(plan, camera), size).rays;
+    let per_pixel = rays as f64 / f64::from(size.x * size.y);
+    let pixels = format!("{}x{} pixels", size.x, size.y);
+    canvas::say(&format!("at {pixels}: {per_pixel:.1} rays for a pixel"));
     Ok(())
 }
 

@@ -1,20 +1,66 @@
 //! What chapter 13 shows: the studies' charts.
 
 use crate::chart;
-use crate::studies::{acne, sphere};
+use crate::plan::{Plan, WISH};
+use crate::studies::{acne, plan, sphere};
 use crate::study::{Study, Table};
-use canvas::{Picture, Pixel, Stage, View, decode};
+use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, rays_so_far};
 use glam::{UVec2, Vec2, Vec3};
+use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
+use refraction::views::{AIR, GLASS, still_life_with_glass};
 
 /// Chapter 13.
 pub const STAGE: Stage = Stage {
     name: "13-speed-and-accuracy",
     title: "Speed against accuracy",
     views: &[
+        View {
+            name: "planned",
+            caption: "The still life by its plan: as many rays as each pixel needs, and no more.",
+            knob: Some(wish(&[16.0])),
+            picture: still_life_planned,
+        },
+        View {
+            name: "cost",
+            caption: "What that takes, a shade lighter for each doubling of a pixel's rays: 8 to 24 where all of it is alike, \
+                      thousands where the floor's squares crowd at the horizon.",
+            knob: Some(wish(&[])),
+            picture: |wish| cost_of(still_life_planned(wish)),
+        },
         chart_view(&sphere::STUDY, |_| charts(&sphere::STUDY)),
         chart_view(&acne::STUDY, |_| charts(&acne::STUDY)),
+        chart_view(&plan::STUDY, |_| charts(&plan::STUDY)),
     ],
 };
+
+const fn wish(pinned: &'static [f32]) -> Knob {
+    Knob {
+        name: "wish",
+        unit: "levels",
+        min: 0.25,
+        max: 16.0,
+        default: WISH,
+        scale: Scale::Logarithmic,
+        pinned,
+    }
+}
+
+fn still_life_planned(wish: f32) -> Picture {
+    let scene = still_life_with_glass(GLASS, AIR);
+    let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
+    Plan::new(&scene, &camera, wish).picture(scene, camera)
+}
+
+/// How many rays each pixel of a picture takes: one of sixteen shades of grey more for
+/// each doubling.
+fn cost_of(picture: Picture) -> Picture {
+    Picture::new(move |pixel| {
+        let before = rays_so_far();
+        let _ = picture.light(pixel);
+        let doublings = (rays_so_far() - before).checked_ilog2().unwrap_or(0);
+        Vec3::splat(decode((16 * doublings).try_into().unwrap_or(u8::MAX)))
+    })
+}
 
 const fn chart_view(study: &'static Study, picture: fn(f32) -> Picture) -> View {
     View {
