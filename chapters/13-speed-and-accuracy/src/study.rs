@@ -1,6 +1,7 @@
 //! What a study is, how it measures, and the table it leaves.
 
 use crate::chart::Chart;
+use glam::DVec3;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -80,6 +81,24 @@ impl Measurement {
     }
 }
 
+/// The distance from an f32 as large as `x` to the next.
+#[must_use]
+pub fn ulp(x: f64) -> f64 {
+    let x = x.abs() as f32;
+    f64::from(x.next_up()) - f64::from(x)
+}
+
+/// A unit vector, all directions alike.
+#[must_use]
+pub fn direction(random: &mut fastrand::Rng) -> DVec3 {
+    loop {
+        let vector = DVec3::from_array(std::array::from_fn(|_| 2.0 * random.f64() - 1.0));
+        if (1e-3..1.0).contains(&vector.length_squared()) {
+            return vector.normalize();
+        }
+    }
+}
+
 // ANCHOR: clock
 /// Measures times, or does not: a test wants the errors alone.
 pub struct Clock {
@@ -128,6 +147,54 @@ pub fn each<'a, T, A>(inputs: &'a [T], call: impl Fn(&T) -> A + 'a) -> Job<'a> {
     })
 }
 // ANCHOR_END: clock
+
+// ANCHOR: compare
+/// What an answer is worth beside the right one.
+pub enum Verdict {
+    /// So far from it.
+    Off(f64),
+    /// A right decision, whose distance from it says nothing.
+    Right,
+    /// A wrong decision.
+    Wrong,
+}
+
+/// Tries each of the named `methods` on inputs that come with what is right for them, and
+/// has each answer judged: by the input, what is right, and the answer.
+///
+/// Where all answers are only off, nothing is said about decisions.
+pub fn compare<T, R, A, F>(
+    clock: &Clock,
+    (scene, setting): (&str, f64),
+    inputs: &[(T, R)],
+    methods: &[(&str, F)],
+    judge: impl Fn(&T, &R, A) -> Verdict,
+) -> Vec<Measurement>
+where
+    F: Fn(&T) -> A + Copy,
+{
+    let job = |&(_, method): &(&str, F)| each(inputs, move |(input, _)| method(input));
+    let mut jobs: Vec<Job> = methods.iter().map(job).collect();
+    let times = clock.least(inputs.len(), &mut jobs);
+    let row = |(&(name, method), ns): (&(&str, F), Option<f64>)| {
+        let (mut errors, mut right, mut wrong) = (Vec::new(), 0_usize, 0_usize);
+        for (input, exact) in inputs {
+            match judge(input, exact, method(input)) {
+                Verdict::Off(error) => errors.push(error),
+                Verdict::Right => right += 1,
+                Verdict::Wrong => wrong += 1,
+            }
+        }
+        let percent = 100.0 * wrong as f64 / inputs.len() as f64;
+        Measurement {
+            wrong: (right + wrong > 0).then_some(percent),
+            ns,
+            ..Measurement::of(scene, name, setting).with_errors(errors)
+        }
+    };
+    methods.iter().zip(times).map(row).collect()
+}
+// ANCHOR_END: compare
 
 // ANCHOR: table
 /// A study's measurements, as its file holds them.

@@ -1,7 +1,7 @@
 //! Chapter 2: three formulas for a ray and a sphere.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Measurement, Study, each};
+use crate::study::{self, Clock, Measurement, Study, Verdict, direction, ulp};
 use glam::{DVec3, Vec3};
 use oracle::exact;
 use ray_casting::Ray;
@@ -98,16 +98,6 @@ fn rays(ray: impl Fn(&mut fastrand::Rng) -> (DVec3, DVec3)) -> Vec<Ray> {
     (0..RAYS).map(ray).collect()
 }
 
-/// A direction, all of them alike.
-fn direction(random: &mut fastrand::Rng) -> DVec3 {
-    loop {
-        let vector = DVec3::from_array(std::array::from_fn(|_| 2.0 * random.f64() - 1.0));
-        if (1e-3..1.0).contains(&vector.length_squared()) {
-            return vector.normalize();
-        }
-    }
-}
-
 /// Aimed evenly at a disc of one and a half radii about the centre.
 fn from_afar(random: &mut fastrand::Rng, distance: f64) -> (DVec3, DVec3) {
     let out = direction(random);
@@ -154,38 +144,30 @@ fn compare(
             exact::sphere(ray.origin, ray.direction, sphere.centre, sphere.radius)?;
         both.into_iter().map(|meeting| meeting.t).find(|&t| t > 0.0)
     };
-    let answers: Vec<Option<f64>> = rays.iter().map(exactly).collect();
-    let is_central = |ray: &Ray| {
-        exact::approach(ray.origin, ray.direction, sphere.centre, sphere.radius) <= 0.95
-    };
-    let mut jobs: Vec<_> = METHODS
-        .iter()
-        .map(|&(_, hit)| each(rays, move |ray| hit(&sphere, ray, FARTHEST)))
-        .collect();
-    let times = clock.least(rays.len(), &mut jobs);
-    let row = |(&(method, hit), ns): (&(&str, Method), Option<f64>)| {
-        let (mut errors, mut wrong) = (Vec::new(), 0);
-        for (ray, answer) in rays.iter().zip(&answers) {
-            match (hit(&sphere, ray, FARTHEST), answer) {
-                (Some(hit), &Some(t)) => {
-                    if is_central(ray) {
-                        errors.push((f64::from(hit.t) - t) / ulp(t));
-                    }
+    let rays: Vec<_> = rays.iter().map(|ray| (*ray, exactly(ray))).collect();
+    let methods =
+        METHODS.map(|(name, hit)| (name, move |ray: &Ray| hit(&sphere, ray, FARTHEST)));
+    study::compare(
+        clock,
+        (scene, setting),
+        &rays,
+        &methods,
+        |ray, exact, hit| match (hit, exact) {
+            (Some(hit), &Some(t)) => {
+                let approach = exact::approach(
+                    ray.origin,
+                    ray.direction,
+                    sphere.centre,
+                    sphere.radius,
+                );
+                if approach <= 0.95 {
+                    Verdict::Off((f64::from(hit.t) - t) / ulp(t))
+                } else {
+                    Verdict::Right
                 }
-                (hit, answer) => wrong += u32::from(hit.is_some() != answer.is_some()),
             }
-        }
-        Measurement {
-            wrong: Some(100.0 * f64::from(wrong) / rays.len() as f64),
-            ns,
-            ..Measurement::of(scene, method, setting).with_errors(errors)
-        }
-    };
-    METHODS.iter().zip(times).map(row).collect()
-}
-
-/// The distance from an f32 as large as `x` to the next.
-fn ulp(x: f64) -> f64 {
-    let x = x.abs() as f32;
-    f64::from(x.next_up()) - f64::from(x)
+            (None, None) => Verdict::Right,
+            _ => Verdict::Wrong,
+        },
+    )
 }
