@@ -35,6 +35,14 @@ pub struct Axis {
     pub label: &'static str,
 }
 
+impl Axis {
+    /// An axis in a line.
+    #[must_use]
+    pub const fn new(quantity: Quantity, label: &'static str) -> Self {
+        Self { quantity, label }
+    }
+}
+
 /// A column of a study's table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {

@@ -159,6 +159,14 @@ pub enum Verdict {
     Wrong,
 }
 
+impl Verdict {
+    /// That on a decision.
+    #[must_use]
+    pub fn of(is_right: bool) -> Self {
+        if is_right { Self::Right } else { Self::Wrong }
+    }
+}
+
 /// Tries each of the named `methods` on inputs that come with what is right for them, and
 /// has each answer judged: by the input, what is right, and the answer.
 ///

@@ -17,27 +17,15 @@ pub const STUDY: Study = Study {
         Chart {
             title: "From afar: rays taken for hits that miss, or the other way round",
             scene: "from afar",
-            x: Axis {
-                quantity: Quantity::Setting,
-                label: "distance, in radii",
-            },
-            y: Axis {
-                quantity: Quantity::Wrong,
-                label: "wrong, in percent",
-            },
+            x: Axis::new(Quantity::Setting, "distance, in radii"),
+            y: Axis::new(Quantity::Wrong, "wrong, in percent"),
             front: false,
         },
         Chart {
             title: "From afar, at each distance: the largest error of t against its cost",
             scene: "from afar",
-            x: Axis {
-                quantity: Quantity::Ns,
-                label: "nanoseconds for one hit",
-            },
-            y: Axis {
-                quantity: Quantity::Max,
-                label: "largest error, in ulps",
-            },
+            x: Axis::new(Quantity::Ns, "nanoseconds for one hit"),
+            y: Axis::new(Quantity::Max, "largest error, in ulps"),
             front: true,
         },
     ],
