@@ -25,7 +25,7 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere acne plan);
+    studies!(sphere plane acne plan);
 }
 
 fn check(study: &Study) {

@@ -2,6 +2,7 @@
 
 pub mod acne;
 pub mod plan;
+pub mod plane;
 pub mod sphere;
 
 use crate::chart;
@@ -14,7 +15,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 3] = [&sphere::STUDY, &acne::STUDY, &plan::STUDY];
+pub const STUDIES: [&Study; 4] =
+    [&sphere::STUDY, &plane::STUDY, &acne::STUDY, &plan::STUDY];
 
 /// What the chapter's command line can do beside showing its views.
 pub const TASKS: [Task; 2] = [STUDY_TASK, PLAN_TASK];
