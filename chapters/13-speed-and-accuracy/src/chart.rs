@@ -210,6 +210,8 @@ struct Logarithmic {
     to: f64,
     /// Whether the lower end stands for 0, which has no logarithm.
     has_zero: bool,
+    /// Whether the upper end stands for infinity.
+    has_infinity: bool,
     /// A raised minus sign.
     minus: char,
 }
@@ -219,6 +221,7 @@ impl Logarithmic {
     /// than one.
     fn of(values: impl Iterator<Item = f64> + Clone, minus: char) -> Self {
         let has_zero = values.clone().any(|value| value == 0.0);
+        let has_infinity = values.clone().any(f64::is_infinite);
         let places = values
             .filter(|&value| value > 0.0 && value.is_finite())
             .map(logarithm);
@@ -232,10 +235,12 @@ impl Logarithmic {
             [from, ..] => (from - 0.1, places[places.len() - 1] + 0.1),
         };
         let from = if has_zero { (from - 0.5).floor() } else { from };
+        let to = if has_infinity { (to + 0.5).ceil() } else { to };
         Self {
             from,
             to,
             has_zero,
+            has_infinity,
             minus,
         }
     }
@@ -281,13 +286,17 @@ impl Ranged for Logarithmic {
                 |decade| digits.iter().map(move |digit| digit * power_of_ten(decade));
             decades.flat_map(of_one).collect()
         };
-        let mut from = self.from - 1e-9;
+        let [mut from, mut to] = [self.from - 1e-9, self.to + 1e-9];
         let mut shown = Vec::new();
         if self.has_zero {
             shown.push(0.0);
             from += 0.6;
         }
-        let is_shown = |&tick: &f64| (from..=self.to + 1e-9).contains(&logarithm(tick));
+        if self.has_infinity {
+            shown.push(f64::INFINITY);
+            to -= 0.6;
+        }
+        let is_shown = |&tick: &f64| (from..=to).contains(&logarithm(tick));
         shown.extend(ticks.into_iter().filter(is_shown));
         shown
     }
@@ -298,21 +307,33 @@ impl Ranged for Logarithmic {
 }
 
 impl ValueFormatter<f64> for Logarithmic {
-    /// `0.001` to `10000`, `10⁵` beyond.
+    /// `0.001` to `10000`, `10⁵` or `2·10⁵` beyond.
     fn format_ext(&self, &value: &f64) -> String {
         if value == 0.0 || (9e-4..2e4).contains(&value) {
             // Without the digits that are only rounding.
             let rounded: f64 = format!("{value:.3e}").parse().expect("a number");
             return rounded.to_string();
         }
-        let exponent = logarithm(value).round().to_string();
+        if value.is_infinite() {
+            return "∞".to_string();
+        }
+        let rounded = format!("{value:.0e}");
+        let (digit, exponent) = rounded.split_once('e').expect("it has an exponent");
+        let times = if digit == "1" {
+            String::new()
+        } else {
+            format!("{digit}·")
+        };
         let raised = |c: char| match c.to_digit(10) {
             Some(digit) => {
                 ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize]
             }
             None => self.minus,
         };
-        format!("10{}", exponent.chars().map(raised).collect::<String>())
+        format!(
+            "{times}10{}",
+            exponent.chars().map(raised).collect::<String>()
+        )
     }
 }
 
