@@ -151,7 +151,7 @@ pub fn each<'a, T, A>(inputs: &'a [T], call: impl Fn(&T) -> A + 'a) -> Job<'a> {
 // ANCHOR: compare
 /// What an answer is worth beside the right one.
 pub enum Verdict {
-    /// So far from it.
+    /// So far from it; if that is not finite, it is a wrong decision as well.
     Off(f64),
     /// A right decision, whose distance from it says nothing.
     Right,
@@ -188,7 +188,10 @@ where
         let (mut errors, mut right, mut wrong) = (Vec::new(), 0_usize, 0_usize);
         for (input, exact) in inputs {
             match judge(input, exact, method(input)) {
-                Verdict::Off(error) => errors.push(error),
+                Verdict::Off(error) => {
+                    wrong += usize::from(!error.is_finite());
+                    errors.push(error);
+                }
                 Verdict::Right => right += 1,
                 Verdict::Wrong => wrong += 1,
             }
