@@ -1,6 +1,7 @@
 //! The studies, and what runs them.
 
 pub mod acne;
+pub mod bounces;
 pub mod plan;
 pub mod plane;
 pub mod sphere;
