@@ -79,6 +79,13 @@ impl Measurement {
             ..self
         }
     }
+
+    /// The same with the time of one step, where its time is that of so many.
+    #[must_use]
+    pub fn for_one_of(self, steps: u32) -> Self {
+        let ns = self.ns.map(|ns| ns / f64::from(steps));
+        Self { ns, ..self }
+    }
 }
 
 /// The distance from an f32 as large as `x` to the next.

@@ -190,8 +190,7 @@ fn bounced(
     });
     let for_one = |row: Measurement| Measurement {
         wrong: row.wrong.or(Some(0.0)),
-        ns: row.ns.map(|ns| ns / f64::from(bounces)),
-        ..row
+        ..row.for_one_of(bounces)
     };
     rows.into_iter().map(for_one).collect()
 }
