@@ -4,6 +4,7 @@ pub mod acne;
 pub mod bounces;
 pub mod plan;
 pub mod plane;
+pub mod refraction;
 pub mod sphere;
 
 use crate::chart;
