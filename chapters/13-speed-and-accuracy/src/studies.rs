@@ -2,6 +2,7 @@
 
 pub mod acne;
 pub mod bounces;
+pub mod fresnel;
 pub mod plan;
 pub mod plane;
 pub mod refraction;
