@@ -25,7 +25,7 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere plane bounces refraction fresnel acne plan);
+    studies!(sphere plane bounces refraction fresnel highlight acne plan);
 }
 
 fn check(study: &Study) {

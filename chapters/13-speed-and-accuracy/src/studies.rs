@@ -3,6 +3,7 @@
 pub mod acne;
 pub mod bounces;
 pub mod fresnel;
+pub mod highlight;
 pub mod plan;
 pub mod plane;
 pub mod refraction;

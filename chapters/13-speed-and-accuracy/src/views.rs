@@ -2,7 +2,9 @@
 
 use crate::chart;
 use crate::plan::{Plan, WISH};
-use crate::studies::{acne, bounces, fresnel, plan, plane, refraction, sphere};
+use crate::studies::{
+    acne, bounces, fresnel, highlight, plan, plane, refraction, sphere,
+};
 use crate::study::{Study, Table};
 use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, rays_so_far};
 use glam::{UVec2, Vec2, Vec3};
@@ -32,6 +34,7 @@ pub const STAGE: Stage = Stage {
         chart_view(&bounces::STUDY, |_| charts(&bounces::STUDY)),
         chart_view(&refraction::STUDY, |_| charts(&refraction::STUDY)),
         chart_view(&fresnel::STUDY, |_| charts(&fresnel::STUDY)),
+        chart_view(&highlight::STUDY, |_| charts(&highlight::STUDY)),
         chart_view(&acne::STUDY, |_| charts(&acne::STUDY)),
         chart_view(&plan::STUDY, |_| charts(&plan::STUDY)),
     ],
