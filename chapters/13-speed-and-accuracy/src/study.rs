@@ -3,7 +3,7 @@
 use crate::chart::Chart;
 use glam::DVec3;
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 // ANCHOR: study
 /// A comparison of methods over the settings of one knob.
@@ -110,14 +110,22 @@ pub fn direction(random: &mut fastrand::Rng) -> DVec3 {
 /// Measures times, or does not: a test wants the errors alone.
 pub struct Clock {
     rounds: u32,
+    time: Duration,
 }
 
 impl Clock {
     /// A clock that stands still: every time is `None`.
-    pub const STOPPED: Self = Self { rounds: 0 };
+    pub const STOPPED: Self = Self {
+        rounds: 0,
+        time: Duration::ZERO,
+    };
 
-    /// A clock that runs every job so many times and believes the fastest.
-    pub const RUNNING: Self = Self { rounds: 25 };
+    /// A clock that runs every job at least so many times, and for longer than a machine
+    /// is busy with something else, and believes the fastest.
+    pub const RUNNING: Self = Self {
+        rounds: 25,
+        time: Duration::from_millis(300),
+    };
 
     /// How long each job takes, in nanoseconds for each of its `calls`.
     ///
@@ -127,7 +135,10 @@ impl Clock {
     #[must_use]
     pub fn least(&self, calls: usize, jobs: &mut [Job]) -> Vec<Option<f64>> {
         let mut least = vec![None; jobs.len()];
-        for _ in 0..self.rounds {
+        let beginning = Instant::now();
+        let mut round = 0;
+        while round < self.rounds || beginning.elapsed() < self.time {
+            round += 1;
             for (job, least) in jobs.iter_mut().zip(&mut least) {
                 let start = Instant::now();
                 job();
