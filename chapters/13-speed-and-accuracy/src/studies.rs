@@ -19,8 +19,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 4] =
-    [&sphere::STUDY, &plane::STUDY, &acne::STUDY, &plan::STUDY];
+pub const STUDIES: [&Study; 8] = [
+    &sphere::STUDY,
+    &plane::STUDY,
+    &bounces::STUDY,
+    &refraction::STUDY,
+    &fresnel::STUDY,
+    &highlight::STUDY,
+    &acne::STUDY,
+    &plan::STUDY,
+];
 
 /// What the chapter's command line can do beside showing its views.
 pub const TASKS: [Task; 2] = [STUDY_TASK, PLAN_TASK];

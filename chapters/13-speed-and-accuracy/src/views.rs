@@ -6,10 +6,10 @@ use crate::studies::{
     acne, bounces, fresnel, highlight, plan, plane, refraction, sphere,
 };
 use crate::study::{Study, Table};
+use ::refraction::views::{AIR, GLASS, still_life_with_glass};
 use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, rays_so_far};
 use glam::{UVec2, Vec2, Vec3};
 use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
-use refraction::views::{AIR, GLASS, still_life_with_glass};
 
 /// Chapter 13.
 pub const STAGE: Stage = Stage {
