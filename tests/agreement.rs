@@ -222,3 +222,73 @@ mod transparency {
         assert_deep(&::transparency::STAGE, SIZE, 1, scene, 2e-4);
     }
 }
+
+/// The oracle against itself.
+mod oracle_itself {
+    use super::*;
+    use speed_and_accuracy::scenes::{exact_camera, find};
+
+    const SMALL: [u32; 2] = [48, 36];
+
+    fn picture(scene: &Scene, camera: &Camera, limit: Limit, n: u32) -> Vec<DVec3> {
+        let corners: Vec<DVec2> =
+            oracle::pixel_centres(SMALL).map(|at| at - 0.5).collect();
+        let pixel = |corner: &DVec2| {
+            let samples = oracle::pixel_centres([n, n]).map(|at| {
+                let ray = camera.ray(*corner + at / f64::from(n), SMALL);
+                oracle::trace(scene, &ray, limit)
+            });
+            samples.sum::<DVec3>() / f64::from(n * n)
+        };
+        corners.par_iter().map(pixel).collect()
+    }
+
+    fn largest_difference(a: &[DVec3], b: &[DVec3]) -> f64 {
+        let differences = a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element());
+        differences.fold(0.0, f64::max)
+    }
+
+    /// Between mirrors of 0.9 what is beyond depth D is a share of 0.9ᴰ of the rest: the picture converges,
+    /// and drifts nowhere.
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "the bound")]
+    fn facing_mirrors_converge_to_depth_100_and_beyond() {
+        let (model, camera) = (find("facing-mirrors").expect("a scene").make)();
+        let (scene, camera) = (model.exactly(), exact_camera(&camera));
+        let at_depth = |bounces| {
+            let limit = Limit {
+                bounces,
+                share: 0.0,
+            };
+            picture(&scene, &camera, limit, 1)
+        };
+        let deepest = at_depth(800);
+        for bounces in [25, 50, 100, 200, 400] {
+            let difference = largest_difference(&at_depth(bounces), &deepest);
+            let bound = 0.9_f64.powi(bounces as i32);
+            assert!(difference <= bound + 1e-15, "{bounces}: {difference}");
+            assert!(
+                difference >= 1e-3 * bound || difference < 1e-15,
+                "{bounces}"
+            );
+        }
+    }
+
+    /// Four times the samples of an edge leave some third of the error: N^(−3/4) is 0.35.
+    #[test]
+    fn the_still_life_converges_with_the_samples() {
+        let scene = oracle::still_life_with_glass(Glass::Mirrors);
+        let camera = oracle::still_life_camera();
+        let [two, four, eight, sixteen] =
+            [2, 4, 8, 16].map(|n| picture(&scene, &camera, DEEP, n));
+        let rms = |a: &[DVec3], b: &[DVec3]| {
+            let squares = a.iter().zip(b).map(|(a, b)| a.distance_squared(*b));
+            (squares.sum::<f64>() / a.len() as f64).sqrt()
+        };
+        let steps = [rms(&two, &four), rms(&four, &eight), rms(&eight, &sixteen)];
+        for pair in steps.windows(2) {
+            let ratio = pair[1] / pair[0];
+            assert!((0.2..0.6).contains(&ratio), "{steps:?}");
+        }
+    }
+}

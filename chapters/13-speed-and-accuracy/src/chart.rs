@@ -456,7 +456,7 @@ impl Chart {
         for (&((x, y), name, colour), &height) in names.iter().zip(&heights) {
             let [from, to] = [(x + scaled(6.0), y), (left - scaled(4.0), height)]
                 .map(|(x, y)| (x - origin_x, y - origin_y));
-            area.draw(&PathElement::new([from, to], colour.mix(0.6)))?;
+            area.draw(&PathElement::new([from, to], colour.mix(0.8)))?;
             let style = font(colour).pos(Pos::new(HPos::Left, VPos::Center));
             area.draw(&Text::new(
                 name,
