@@ -25,7 +25,7 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere plane bounces refraction fresnel highlight acne plan);
+    studies!(sphere plane bounces refraction fresnel highlight recursion acne plan);
 }
 
 fn check(study: &Study) {

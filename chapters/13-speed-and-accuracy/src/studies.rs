@@ -6,6 +6,7 @@ pub mod fresnel;
 pub mod highlight;
 pub mod plan;
 pub mod plane;
+pub mod recursion;
 pub mod refraction;
 pub mod sphere;
 
@@ -19,13 +20,14 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 8] = [
+pub const STUDIES: [&Study; 9] = [
     &sphere::STUDY,
     &plane::STUDY,
     &bounces::STUDY,
     &refraction::STUDY,
     &fresnel::STUDY,
     &highlight::STUDY,
+    &recursion::STUDY,
     &acne::STUDY,
     &plan::STUDY,
 ];
