@@ -4,7 +4,9 @@
 
 use speed_and_accuracy::STUDIES;
 use speed_and_accuracy::chart;
+use speed_and_accuracy::patterns::PATTERNS;
 use speed_and_accuracy::study::{Clock, Study, Table};
+use std::f64::consts::PI;
 
 mod speed_and_accuracy_studies {
     use super::*;
@@ -25,7 +27,19 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere plane bounces refraction fresnel highlight recursion acne plan);
+    studies!(sphere plane bounces refraction fresnel highlight recursion sampling acne plan);
+
+    /// π 23.7² for the disc, and π/16 for each dot: 7.5 × 7.5, for the borders halve some. What the exact
+    /// mean of 4096 lines of a pixel may be wrong by is 10⁻⁵.
+    #[test]
+    fn the_patterns_means_add_up_to_their_areas() {
+        for (name, area) in [("edge", PI * 23.7 * 23.7), ("dots", 56.25 * PI / 16.0)] {
+            let pattern = PATTERNS.iter().find(|pattern| pattern.name == name);
+            let means = pattern.expect("a pattern").means();
+            let error = means.iter().sum::<f64>() - area;
+            assert!(error.abs() <= 1e-5 * means.len() as f64, "{name}: {error}");
+        }
+    }
 }
 
 fn check(study: &Study) {

@@ -3,6 +3,7 @@
 //! picture needs.
 
 pub mod chart;
+pub mod patterns;
 pub mod pictures;
 pub mod plan;
 pub mod sampling;

@@ -8,6 +8,7 @@ pub mod plan;
 pub mod plane;
 pub mod recursion;
 pub mod refraction;
+pub mod sampling;
 pub mod sphere;
 
 use crate::chart;
@@ -20,7 +21,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 9] = [
+pub const STUDIES: [&Study; 10] = [
     &sphere::STUDY,
     &plane::STUDY,
     &bounces::STUDY,
@@ -28,6 +29,7 @@ pub const STUDIES: [&Study; 9] = [
     &fresnel::STUDY,
     &highlight::STUDY,
     &recursion::STUDY,
+    &sampling::STUDY,
     &acne::STUDY,
     &plan::STUDY,
 ];

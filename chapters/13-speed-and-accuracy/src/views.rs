@@ -3,7 +3,8 @@
 use crate::chart;
 use crate::plan::{Plan, WISH};
 use crate::studies::{
-    acne, bounces, fresnel, highlight, plan, plane, recursion, refraction, sphere,
+    acne, bounces, fresnel, highlight, plan, plane, recursion, refraction, sampling,
+    sphere,
 };
 use crate::study::{Study, Table};
 use ::refraction::views::{AIR, GLASS, still_life_with_glass};
@@ -36,6 +37,7 @@ pub const STAGE: Stage = Stage {
         chart_view(&fresnel::STUDY, |_| charts(&fresnel::STUDY)),
         chart_view(&highlight::STUDY, |_| charts(&highlight::STUDY)),
         chart_view(&recursion::STUDY, |_| charts(&recursion::STUDY)),
+        chart_view(&sampling::STUDY, |_| charts(&sampling::STUDY)),
         chart_view(&acne::STUDY, |_| charts(&acne::STUDY)),
         chart_view(&plan::STUDY, |_| charts(&plan::STUDY)),
     ],
