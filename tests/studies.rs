@@ -5,6 +5,7 @@
 use speed_and_accuracy::STUDIES;
 use speed_and_accuracy::chart;
 use speed_and_accuracy::patterns::PATTERNS;
+use speed_and_accuracy::studies::growth;
 use speed_and_accuracy::study::{Clock, Study, Table};
 use std::f64::consts::PI;
 
@@ -27,7 +28,23 @@ mod speed_and_accuracy_studies {
         };
     }
 
-    studies!(sphere plane bounces refraction fresnel highlight recursion sampling acne plan);
+    studies!(
+        sphere plane bounces refraction fresnel highlight recursion sampling acne growth plan
+    );
+
+    /// The yardstick of growth is none if it finds anything else.
+    #[test]
+    fn the_tree_finds_what_trying_all_spheres_finds() {
+        let table = Table::from_csv(growth::STUDY.table).expect("a table");
+        let trees = table
+            .rows
+            .iter()
+            .filter(|row| row.method.starts_with("tree"));
+        assert_eq!(trees.clone().count(), 24);
+        for row in trees {
+            assert_eq!(row.wrong, Some(0.0), "{row:?}");
+        }
+    }
 
     /// π 23.7² for the disc, and π/16 for each dot: 7.5 × 7.5, for the borders halve some. What the exact
     /// mean of 4096 lines of a pixel may be wrong by is 10⁻⁵.

@@ -3,6 +3,7 @@
 pub mod acne;
 pub mod bounces;
 pub mod fresnel;
+pub mod growth;
 pub mod highlight;
 pub mod plan;
 pub mod plane;
@@ -21,7 +22,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 10] = [
+pub const STUDIES: [&Study; 11] = [
     &sphere::STUDY,
     &plane::STUDY,
     &bounces::STUDY,
@@ -31,6 +32,7 @@ pub const STUDIES: [&Study; 10] = [
     &recursion::STUDY,
     &sampling::STUDY,
     &acne::STUDY,
+    &growth::STUDY,
     &plan::STUDY,
 ];
 
