@@ -648,8 +648,9 @@ impl fmt::Display for Plan {
             let [dark, light] = [cut_off(0), cut_off(255)];
             writeln!(
                 f,
-                "no ray brings more light than {:.2}: all that is left out of a pixel \
-                 is a share of {dark:.1e} in the dark, {light:.1e} in the light",
+                "no ray brings more light than {:.2}\n\
+                 left out of a pixel: a share of {dark:.1e} in the dark, \
+                 {light:.1e} in the light",
                 self.brightest
             )?;
         }

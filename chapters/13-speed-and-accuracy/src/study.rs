@@ -238,6 +238,7 @@ pub struct Table {
 const COLUMNS: [&str; 8] = [
     "scene", "method", "setting", "work", "max", "rms", "wrong", "ns",
 ];
+// ANCHOR_END: table
 
 impl Table {
     /// The table as comma-separated values, every number rounded to three digits, below a
@@ -341,6 +342,7 @@ impl Table {
         number.ok_or_else(empty)
     }
 
+    // ANCHOR: without-times
     /// The same without its times, which no test may compare.
     #[must_use]
     pub fn without_times(mut self) -> Self {
@@ -348,6 +350,7 @@ impl Table {
         self.rows.iter_mut().for_each(|row| row.ns = None);
         self
     }
+    // ANCHOR_END: without-times
 }
 
 /// A number rounded to three digits: `0.123`, `12.3`, `1.23e-7`; nothing for none.
@@ -364,7 +367,6 @@ pub fn three_digits(x: Option<f64>) -> String {
         format!("{value:e}")
     }
 }
-// ANCHOR_END: table
 
 /// What the times are measured on: the processor, and what the compiler builds for.
 #[must_use]
