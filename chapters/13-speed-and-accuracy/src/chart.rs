@@ -266,7 +266,7 @@ impl Ranged for Logarithmic {
         start + (part.clamp(0.0, 1.0) * f64::from(end - start)).round() as i32
     }
 
-    /// Powers of ten, no more than nine; or 1, 2 and 5 of each; or 1 to 9.
+    /// Powers of ten, no more than nine; or 1, 2 and 5 of each; or 1 to 9, and 1.5.
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
         let decades = self.from.floor() as i32..=self.to.ceil() as i32;
         let step = ((self.to - self.from) / 8.0).ceil() as i32;
@@ -278,7 +278,7 @@ impl Ranged for Logarithmic {
         } else {
             let is_short = self.to - self.from < 0.7;
             let digits: &[f64] = if is_short {
-                &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+                &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
             } else {
                 &[1.0, 2.0, 5.0]
             };
@@ -309,15 +309,15 @@ impl Ranged for Logarithmic {
 impl ValueFormatter<f64> for Logarithmic {
     /// `0.001` to `10000`, `10⁵` or `2·10⁵` beyond.
     fn format_ext(&self, &value: &f64) -> String {
+        // Without the digits that are only rounding.
+        let rounded: f64 = format!("{value:.3e}").parse().expect("a number");
         if value == 0.0 || (9e-4..2e4).contains(&value) {
-            // Without the digits that are only rounding.
-            let rounded: f64 = format!("{value:.3e}").parse().expect("a number");
             return rounded.to_string();
         }
         if value.is_infinite() {
             return "∞".to_string();
         }
-        let rounded = format!("{value:.0e}");
+        let rounded = format!("{rounded:e}");
         let (digit, exponent) = rounded.split_once('e').expect("it has an exponent");
         let times = if digit == "1" {
             String::new()
@@ -398,7 +398,7 @@ impl Chart {
             .margin(scaled(8.0))
             .margin_right(scaled(f64::from(NAMES)))
             .x_label_area_size(scaled(48.0))
-            .y_label_area_size(scaled(70.0))
+            .y_label_area_size(scaled(76.0))
             .build_cartesian_2d(x, y)?;
         chart
             .configure_mesh()

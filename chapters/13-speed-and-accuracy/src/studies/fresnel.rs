@@ -15,14 +15,14 @@ pub const STUDY: Study = Study {
     measure,
     charts: &[
         Chart {
-            title: "On entering glass Schlick is off by hundredths; by far more where n is near 1",
+            title: "On entering, Schlick is off by hundredths for glass, by far more near an index of 1",
             scene: "entering",
             x: Axis::new(Quantity::Setting, "index of refraction, less 1"),
             y: Axis::new(Quantity::Max, "largest error of the share"),
             front: false,
         },
         Chart {
-            title: "On leaving, and with the wrong cosine, by all there is",
+            title: "On leaving, the wrong cosine makes Schlick wrong by nearly all there is",
             scene: "leaving",
             x: Axis::new(Quantity::Setting, "index of refraction, less 1"),
             y: Axis::new(Quantity::Max, "largest error of the share"),

@@ -28,7 +28,7 @@ pub const STUDY: Study = Study {
         by_setting(
             "spheres",
             "spheres",
-            (Quantity::Ns, "ns for a ray"),
+            (Quantity::Ns, "nanoseconds for a ray"),
             "Spheres, all tried or by a tree of boxes: for a handful it is not worth it",
         ),
         by_setting(

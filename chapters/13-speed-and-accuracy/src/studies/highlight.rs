@@ -19,7 +19,7 @@ pub const STUDY: Study = Study {
             front: false,
         },
         Chart {
-            title: "Only squaring takes longer for a shinier surface",
+            title: "Squaring takes longer the shinier the surface is",
             scene: "highlight",
             x: Axis::new(Quantity::Setting, "shininess n"),
             y: Axis::new(Quantity::Ns, "nanoseconds for one power"),
