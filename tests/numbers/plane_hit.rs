@@ -5,7 +5,6 @@ use ::plane_hit::{Plane, STAGE, nearest, still_life};
 use ::ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
 use ::ray_casting::{Ray, SKY};
 use ::sphere_hit::FARTHEST;
-use oracle::exact;
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -51,7 +50,6 @@ fn the_numbers_are_those_in_the_book() {
     numbers.note("wrong-cells", percent(wrong.count(), floor));
 
     numbers.note("offset", offset());
-    numbers.note("grazing", table([1e-1, 1e-2, 1e-3, 1e-4].map(grazing)));
     numbers.check("03-plane-hit");
 }
 
@@ -73,28 +71,4 @@ fn offset() -> String {
         ]
         .map(|row| row.map(str::to_string)),
     )
-}
-
-/// For planes of all inclinations, one below the eye: the largest relative error at some |d·n|.
-fn grazing(d_dot_n: f64) -> [String; 3] {
-    let mut largest = 0.0_f64;
-    for i in 0..4000 {
-        let [up, along, _] = frame(i);
-        let plane = Plane::new((-up).as_vec3(), up.as_vec3()).expect("a plane");
-        let direction = along * (1.0 - d_dot_n * d_dot_n).sqrt() - d_dot_n * up;
-        let ray = Ray {
-            origin: Vec3::ZERO,
-            direction: direction.as_vec3(),
-        };
-        let exact = exact::plane(ray.origin, ray.direction, plane.point, plane.normal);
-        let exact = exact.expect("not parallel");
-        let hit = plane.hit(&ray, FARTHEST).expect("a hit");
-        largest = largest.max((f64::from(hit.t) / exact - 1.0).abs());
-    }
-    let bound = f64::from(f32::EPSILON) / d_dot_n;
-    [
-        d_dot_n.to_string(),
-        three_digits(largest),
-        three_digits(bound),
-    ]
 }
