@@ -31,25 +31,7 @@ fn the_numbers_are_those_in_the_book() {
             ]
         })),
     );
-    numbers.note("power-errors", table([10, 50, 100, 200].map(power_errors)));
     let views = STAGE.views.iter().map(|view| view.name);
     numbers.note("rays", ray_counts(&STAGE, views));
     numbers.check("05-shading");
-}
-
-/// An exponent, its multiplications, and the largest error for bases from 0 to 1.
-#[expect(clippy::disallowed_methods, reason = "f64 is the judge here")]
-fn power_errors(n: u32) -> [String; 4] {
-    let multiplications = n.ilog2() + 1 + n.count_ones();
-    let errors = (0..=10_000).map(|i| {
-        let x = i as f32 / 10_000.0;
-        (f64::from(power(x, n)) - f64::from(x).powi(n as i32)).abs()
-    });
-    let largest = errors.fold(0.0, f64::max);
-    [
-        n.to_string(),
-        multiplications.to_string(),
-        three_digits(largest),
-        three_digits(255.0 * largest),
-    ]
 }
