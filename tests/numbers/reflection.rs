@@ -1,8 +1,6 @@
 use super::*;
-use ::canvas::Picture;
 use ::plane_hit::{Object, Pattern, Plane, Shape};
 use ::ray_casting::{Ray, SKY};
-use ::reflection::views::facing_mirrors;
 use ::reflection::{
     Mirror, Reach, STAGE, bounce_inside, reflect, reflect_by_slide, trace,
 };
@@ -15,7 +13,6 @@ fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
     numbers.note("growth", growth());
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
-    numbers.note("limits", limits());
     numbers.note("rays", paint(&STAGE, "bouncing", HERO).rays);
     let before = paint(&::shading::STAGE, "combined", HERO).rays;
     numbers.note("rays-of-chapter-5", before);
@@ -89,40 +86,4 @@ fn corridor(depth: u32) -> [String; 3] {
         format!("{closed:.6}"),
         format!("{traced:.6}"),
     ]
-}
-
-/// What the limits cost, and what they get wrong, in the corridor of two mirrors of 0.9.
-fn limits() -> String {
-    let painted = |depth, least_weight| {
-        let (scene, camera) = facing_mirrors(0.9);
-        let reach = Reach {
-            least_weight,
-            ..Reach::new(depth)
-        };
-        let picture =
-            Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reach));
-        Canvas::paint(&picture, SMALL)
-    };
-    let reference = painted(400, 0.0);
-    let row = |name: &str, depth, least_weight| {
-        let canvas = painted(depth, least_weight);
-        let pixels = canvas.levels.iter().zip(&reference.levels);
-        let worst = pixels.flat_map(|(ours, theirs)| {
-            ours.iter().zip(theirs).map(|(a, b)| a.abs_diff(*b))
-        });
-        let rays = canvas.rays as f64 / canvas.light.len() as f64;
-        [
-            name.to_string(),
-            format!("{rays:.1}"),
-            worst.max().expect("pixels").to_string(),
-        ]
-    };
-    table([
-        row("depth 5", 5, 0.0),
-        row("depth 20", 20, 0.0),
-        row("depth 64", 64, 0.0),
-        row("least weight 1/64, depth 400", 400, 1.0 / 64.0),
-        row("least weight 1/255, depth 400", 400, 1.0 / 255.0),
-        row("least weight 1/2048, depth 64", 64, 1.0 / 2048.0),
-    ])
 }
