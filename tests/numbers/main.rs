@@ -1,4 +1,4 @@
-//! The numbers in the book. The error columns are measured against exact arithmetic or f64; none depends on the machine.
+//! The numbers in the book that are not a study's. None depends on the machine.
 
 mod anti_aliasing;
 mod canvas;
@@ -61,16 +61,4 @@ fn evenly(i: usize) -> [f64; 3] {
         0.549_700_477_901_97,
     ];
     STEPS.map(|step| (0.5 + step * i as f64).fract())
-}
-
-/// Three unit vectors at right angles to each other, evenly spread.
-#[expect(clippy::disallowed_methods, reason = "no pixel depends on it")]
-fn frame(i: usize) -> [glam::DVec3; 3] {
-    let [height, turn, _] = evenly(i);
-    let z = 2.0 * height - 1.0;
-    let angle = std::f64::consts::TAU * turn;
-    let level = (1.0 - z * z).sqrt();
-    let a = glam::DVec3::new(level * angle.cos(), level * angle.sin(), z);
-    let b = a.any_orthonormal_vector();
-    [a, b, a.cross(b)]
 }

@@ -7,7 +7,6 @@ use ::reflection::MAX_DEPTH;
 use ::refraction::views::{AIR, GLASS, close_up, still_life_with_glass};
 use ::refraction::{Body, Crossing, leave, redirect, refract};
 
-const WATER: f32 = 1.33;
 const DIAMOND: f32 = 2.42;
 
 #[test]
@@ -37,14 +36,6 @@ fn the_numbers_are_those_in_the_book() {
         + total_reflections(GLASS, AIR, &close_up());
     numbers.note("total-ball", ball);
     numbers.note("total-bubble", total_reflections(AIR, GLASS, &close_up()));
-    let pairs = [
-        (AIR, WATER),
-        (AIR, GLASS),
-        (AIR, DIAMOND),
-        (GLASS, AIR),
-        (DIAMOND, AIR),
-    ];
-    numbers.note("snell", table(pairs.map(snell)));
     numbers.check("07-refraction");
 }
 
@@ -75,30 +66,4 @@ fn total_reflections(inside: f32, outside: f32, camera: &Camera) -> usize {
         false
     };
     pixels.filter(meets_it).count()
-}
-
-/// How far refracted directions of all kinds depart from Snell's law, and from length 1.
-fn snell((from, to): (f32, f32)) -> [String; 3] {
-    let (mut law, mut length) = (0.0_f64, 0.0_f64);
-    for i in 0..4000 {
-        let [out, across, _] = frame(i);
-        let [.., slant] = evenly(i);
-        let normal = out.as_vec3();
-        let incident = (slant * across - (1.0 - slant * slant).sqrt() * out)
-            .as_vec3()
-            .normalize();
-        if let Some(refracted) = refract(incident, normal, from / to) {
-            let normal = normal.as_dvec3();
-            let sine = |v: Vec3| v.as_dvec3().cross(normal).length();
-            let residual =
-                f64::from(from) * sine(incident) - f64::from(to) * sine(refracted);
-            law = law.max(residual.abs());
-            length = length.max((refracted.as_dvec3().length() - 1.0).abs());
-        }
-    }
-    [
-        format!("{from} → {to}"),
-        three_digits(law),
-        three_digits(length),
-    ]
 }
