@@ -48,8 +48,8 @@ pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 /// that the light comes from, where the approximation is one in the larger of the two
 /// angles.
 ///
-/// On entering a denser medium that is the same, and it is off by a few hundredths at
-/// most. On leaving it knows nothing of total reflection.
+/// On entering a denser medium that is the same, and for glass it is off by a few
+/// hundredths at most. On leaving it knows nothing of total reflection.
 ///
 /// Source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering" (1994).
 #[must_use]
