@@ -131,6 +131,27 @@ mod speed_and_accuracy_plans {
         assert_eq!(formulas, [Formula::Slide, Formula::Stable, Formula::InF64]);
     }
 
+    /// A mirror wall shows the eye its ball from as far as the ball's image is.
+    #[test]
+    fn a_formula_that_holds_in_a_far_mirror_too() {
+        let (Model::Plain(mut scene), camera) = scene("plastic") else {
+            unreachable!("no colours")
+        };
+        scene.objects.truncate(2);
+        let mut wall = scene.objects[0].clone();
+        let behind = Vec3::new(0.0, 0.0, 800.0);
+        wall.shape = Shape::Plane(Plane::new(behind, Vec3::NEG_Z).expect("a plane"));
+        wall.material.body = Body::Opaque { reflectivity: 0.9 };
+        let formula = |scene: &Scene<Material>| {
+            Model::Plain(scene.clone()).plan(&camera, WISH).formula
+        };
+        assert_eq!(formula(&scene), Formula::Slide);
+        scene.objects.push(wall);
+        assert_eq!(formula(&scene), Formula::InF64);
+        let off = off(&Model::Plain(scene), camera);
+        assert!(off.elsewhere <= PIXELS as usize / 1000, "{}", off.elsewhere);
+    }
+
     #[test]
     fn are_those_in_the_book() {
         let mut numbers = Numbers::default();

@@ -5,7 +5,7 @@ use anti_aliasing::hash;
 use canvas::{Picture, Pixel, decode, encode, rays_so_far};
 use fresnel::{fresnel, ways_on};
 use glam::{Vec2, Vec3};
-use plane_hit::{Object, Pattern, Shape, nearest_by};
+use plane_hit::{Object, Pattern, Plane, Shape, nearest_by};
 use ray_casting::{Camera, Ray, unit};
 use refraction::{Body, Material};
 use shading::lit;
@@ -168,8 +168,8 @@ impl Plan {
     ///
     /// Of all rays still to be followed, the one that brings the largest share is next.
     /// The light of the hits is added up on the way, so that it is always known how much
-    /// the pixel has at least, and with it how much it may lack: a dark pixel a tenth of
-    /// what a bright one may. Once all that is left could not bring more, nothing of it is
+    /// the pixel has at least, and with it how much it may lack: a dark pixel a thirtieth
+    /// of what a bright one may. Once all that is left could not bring more, nothing of it is
     /// followed.
     #[must_use]
     pub fn trace<M: Surface>(&self, scene: &Scene<M>, ray: Ray) -> Seen {
@@ -459,7 +459,8 @@ fn deviation(seen: &[Seen]) -> Vec3 {
     variance.map(f32::sqrt)
 }
 
-/// How much light there is from one level of a screen to the next, at a level.
+/// How much light there is to a level of a screen from the one below it: the next is no
+/// nearer.
 fn step(level: u8) -> f32 {
     match level {
         0 => decode(1),
@@ -529,15 +530,12 @@ fn depth([first, second]: [f32; 2], worth: f32) -> u32 {
     let (mut share, mut bounces) = (1.0, 0);
     loop {
         share *= if bounces % 2 == 0 { first } else { second };
-        if !(share > worth) || bounces == DEEPEST {
+        if !(share > worth) || bounces == MOST_RAYS {
             return bounces;
         }
         bounces += 1;
     }
 }
-
-/// Mirrors that keep all light would be followed for ever.
-const DEEPEST: u32 = 4096;
 // ANCHOR_END: depth
 
 fn is_tinted<M: Surface>(object: &Object<M>) -> bool {
@@ -573,27 +571,46 @@ impl Formula {
     }
 }
 
-/// The longest way to a sphere, in its radii, from the eye or from another sphere.
-fn farthest<M>(scene: &Scene<M>, camera: &Camera) -> f32 {
-    let spheres = || {
-        scene
-            .objects
-            .iter()
-            .filter_map(|object| match object.shape {
-                Shape::Sphere(sphere) => Some(sphere),
-                Shape::Plane(_) => None,
-            })
+/// The longest way to a sphere, in its radii: from the eye, from another sphere, or from
+/// the image of one of them, or of itself, in a plane that mirrors.
+fn farthest<M: Surface>(scene: &Scene<M>, camera: &Camera) -> f32 {
+    let (mut spheres, mut mirrors) = (Vec::new(), Vec::new());
+    for object in &scene.objects {
+        match (&object.shape, object.material.material().body) {
+            (Shape::Sphere(sphere), _) => spheres.push(*sphere),
+            (Shape::Plane(plane), Body::Opaque { reflectivity })
+                if reflectivity > 0.0 =>
+            {
+                mirrors.push(*plane);
+            }
+            _ => (),
+        }
+    }
+    let eye = Sphere {
+        centre: camera.eye,
+        radius: 0.0,
     };
     let mut farthest = 0.0;
-    for to in spheres() {
-        let from_eye = camera.eye.distance(to.centre);
-        let others = spheres().filter(|from| *from != to);
-        for way in others.map(|from| way(&from, &to)).chain([from_eye]) {
-            let radii = way / to.radius;
-            farthest = if radii > farthest { radii } else { farthest };
+    for to in &spheres {
+        for from in spheres.iter().chain([&eye]) {
+            let itself = (from != to).then_some(*from);
+            let images = mirrors.iter().map(|mirror| image(from, mirror));
+            for from in images.chain(itself) {
+                let radii = way(&from, to) / to.radius;
+                farthest = if radii > farthest { radii } else { farthest };
+            }
         }
     }
     farthest
+}
+
+/// What is seen of a sphere in a plane that mirrors.
+fn image(sphere: &Sphere, mirror: &Plane) -> Sphere {
+    let height = (sphere.centre - mirror.point).dot(mirror.normal);
+    Sphere {
+        centre: sphere.centre - 2.0 * height * mirror.normal,
+        ..*sphere
+    }
 }
 
 /// The longest way from the surface of one sphere to that of another.
