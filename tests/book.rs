@@ -108,7 +108,7 @@ mod the_source {
     }
 
     #[test]
-    fn shows_every_studys_chart_in_chapter_13_and_in_another() {
+    fn shows_every_studys_chart_in_chapter_13_and_in_the_one_it_belongs_to() {
         let last = &speed_and_accuracy::STAGE;
         let shows = |stage: &Stage, study: &Study| {
             commands(&read(&page_of(stage)), "chart").contains(&study.name.to_string())
@@ -119,7 +119,8 @@ mod the_source {
                 problems.push(format!("{} does not show {}", page_of(last), study.name));
             }
             let mut others = STAGES.into_iter().filter(|stage| stage.name != last.name);
-            if !others.any(|stage| shows(stage, study)) {
+            // The planner's chapter is the last itself.
+            if study.name != "plan" && !others.any(|stage| shows(stage, study)) {
                 problems.push(format!("no other chapter shows {}", study.name));
             }
         }
