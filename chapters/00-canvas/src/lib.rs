@@ -57,7 +57,9 @@ impl Pixel {
 // ANCHOR: picture
 /// What to paint: a pure function from a pixel to linear light, red, green and blue; 1 is
 /// white.
-pub struct Picture(Box<dyn Fn(Pixel) -> Vec3 + Send + Sync>);
+pub struct Picture(Box<PaintRun>);
+
+type PaintRun = dyn Fn(Pixel, &mut [Vec3]) + Send + Sync;
 
 impl Picture {
     /// A picture from its function.
@@ -65,13 +67,32 @@ impl Picture {
     /// The light must be finite. What is below 0 is shown as black, what is above 1 as
     /// full.
     pub fn new(light: impl Fn(Pixel) -> Vec3 + Send + Sync + 'static) -> Self {
-        Self(Box::new(light))
+        Self::by_runs(move |first, run| {
+            for (x, place) in (first.x..).zip(run) {
+                *place = light(Pixel { x, ..first });
+            }
+        })
+    }
+
+    /// A picture from what paints a run of pixels: the first, and those to the right of
+    /// it, as many as there are places for their light.
+    ///
+    /// The light of a pixel must not depend on the run that it is painted in.
+    pub fn by_runs(paint: impl Fn(Pixel, &mut [Vec3]) + Send + Sync + 'static) -> Self {
+        Self(Box::new(paint))
+    }
+
+    /// Paints the first pixel and those to the right of it, as many as fit into `run`.
+    pub fn paint(&self, first: Pixel, run: &mut [Vec3]) {
+        (self.0)(first, run);
     }
 
     /// The light of one pixel.
     #[must_use]
     pub fn light(&self, pixel: Pixel) -> Vec3 {
-        (self.0)(pixel)
+        let mut light = [Vec3::ZERO];
+        self.paint(pixel, &mut light);
+        light[0]
     }
 }
 // ANCHOR_END: picture
@@ -84,7 +105,12 @@ thread_local! {
 /// Counts one ray. Called wherever a ray is cast; a painted [`Row`] knows how many it
 /// took.
 pub fn count_ray() {
-    RAYS.set(RAYS.get() + 1);
+    count_rays(1);
+}
+
+/// Counts so many rays at once.
+pub fn count_rays(rays: u32) {
+    RAYS.set(RAYS.get() + u64::from(rays));
 }
 
 /// How many rays this thread has counted so far.
@@ -110,9 +136,8 @@ pub struct Row {
 impl Row {
     fn paint(picture: &Picture, size: UVec2, y: u32) -> Self {
         let rays_before = rays_so_far();
-        let light: Vec<Vec3> = (0..size.x)
-            .map(|x| picture.light(Pixel { x, y, size }))
-            .collect();
+        let mut light = vec![Vec3::ZERO; size.x as usize];
+        picture.paint(Pixel { x: 0, y, size }, &mut light);
         debug_assert!(
             light.iter().all(|light| light.is_finite()),
             "row {y} has a pixel that is not finite"
