@@ -3,7 +3,7 @@
 use canvas::Stage;
 
 /// Every chapter's stage. The tests, the book and `cargo run` go by this list.
-pub const STAGES: [&Stage; 13] = [
+pub const STAGES: [&Stage; 14] = [
     &canvas::STAGE,
     &ray_casting::STAGE,
     &sphere_hit::STAGE,
@@ -16,5 +16,6 @@ pub const STAGES: [&Stage; 13] = [
     &anti_aliasing::STAGE,
     &shadow_acne::STAGE,
     &transparency::STAGE,
+    &packets::STAGE,
     &speed_and_accuracy::STAGE,
 ];

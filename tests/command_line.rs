@@ -25,12 +25,13 @@ const BINARIES: [&str; STAGES.len()] = [
     env!("CARGO_BIN_EXE_09-anti-aliasing"),
     env!("CARGO_BIN_EXE_10-shadow-acne"),
     env!("CARGO_BIN_EXE_11-transparency"),
+    env!("CARGO_BIN_EXE_12-packets"),
     env!("CARGO_BIN_EXE_13-speed-and-accuracy"),
 ];
 const SPHERE_HIT: &str = BINARIES[2];
 const SHADOWS: &str = BINARIES[4];
 const SHADING: &str = BINARIES[5];
-const SPEED_AND_ACCURACY: &str = BINARIES[12];
+const SPEED_AND_ACCURACY: &str = BINARIES[13];
 
 /// A small picture's size, as an argument and as the library has it.
 const SMALL: (&str, UVec2) = ("40x30", UVec2::new(40, 30));
