@@ -1,0 +1,1 @@
+//! A walk through the still life, while it is traced.
