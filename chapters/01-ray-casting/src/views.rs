@@ -13,13 +13,7 @@ pub const STAGE: Stage = Stage {
             name: "directions",
             caption: "Each pixel's ray as a colour: red grows with its x, green with its y, blue with its z.",
             knob: Some(FOCAL_LENGTH),
-            picture: |focal_length| {
-                let camera = still_life_camera(focal_length);
-                Picture::new(move |pixel| {
-                    let ray = camera.ray(pixel.centre());
-                    (ray.direction + Vec3::ONE) / 2.0
-                })
-            },
+            picture: |focal_length| directions(still_life_camera(focal_length)),
         },
         View {
             name: "sky-and-ground",
@@ -56,4 +50,13 @@ pub fn still_life_camera(focal_length: f32) -> Camera {
     let eye = Vec3::new(0.0, 2.0, -7.0);
     let forward = Vec3::new(0.0, -1.1, 7.0);
     Camera::new(eye, forward, Vec3::Y, focal_length).expect("a camera that looks ahead")
+}
+
+/// Each ray's direction as a colour.
+#[must_use]
+pub fn directions(camera: Camera) -> Picture {
+    Picture::new(move |pixel| {
+        let ray = camera.ray(pixel.centre());
+        (ray.direction + Vec3::ONE) / 2.0
+    })
 }

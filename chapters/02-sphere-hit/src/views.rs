@@ -15,13 +15,15 @@ pub const STAGE: Stage = Stage {
             name: "flat",
             caption: "The still life's first sphere: red where the ray hits it, the empty world where it does not.",
             knob: None,
-            picture: |_| first_sphere(|_| Vec3::new(0.9, 0.15, 0.1)),
+            picture: |_| first_sphere(still_life_camera(STILL_LIFE_FOCAL_LENGTH), red),
         },
         View {
             name: "normals",
             caption: "The same sphere's normals as colours: red to the right, green up, blue away from you.",
             knob: None,
-            picture: |_| first_sphere(normal_as_colour),
+            picture: |_| {
+                first_sphere(still_life_camera(STILL_LIFE_FOCAL_LENGTH), normal_as_colour)
+            },
         },
         View {
             name: "miss",
@@ -70,8 +72,15 @@ fn normal_as_colour(hit: Hit) -> Vec3 {
     (hit.normal + Vec3::ONE) / 2.0
 }
 
-fn first_sphere(colour: fn(Hit) -> Vec3) -> Picture {
-    let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
+/// The first sphere's colour, wherever it is hit.
+#[must_use]
+pub fn red(_: Hit) -> Vec3 {
+    Vec3::new(0.9, 0.15, 0.1)
+}
+
+/// The still life's first sphere, coloured by where it is hit, in an empty world.
+#[must_use]
+pub fn first_sphere(camera: Camera, colour: fn(Hit) -> Vec3) -> Picture {
     let sphere = Sphere::new(Vec3::new(-2.2, 0.8, 1.0), 0.8).expect("a sphere");
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());

@@ -3,8 +3,8 @@
 use crate::{Pattern, Plane, is_even, is_even_in_space, still_life, trace};
 use canvas::{Picture, Stage, View};
 use glam::{Vec2, Vec3};
-use ray_casting::SKY;
 use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
+use ray_casting::{Camera, SKY};
 use sphere_hit::FARTHEST;
 use sphere_hit::views::{drawing, ray_on_paper};
 
@@ -17,11 +17,7 @@ pub const STAGE: Stage = Stage {
             name: "flat",
             caption: "The still life in flat colours: every ray brings back the colour of what it meets first.",
             knob: None,
-            picture: |_| {
-                let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
-                let objects = still_life(STILL_LIFE_COLOURS);
-                Picture::new(move |pixel| trace(&objects, &camera.ray(pixel.centre())))
-            },
+            picture: |_| flat(still_life_camera(STILL_LIFE_FOCAL_LENGTH)),
         },
         View {
             name: "point",
@@ -73,6 +69,13 @@ pub const STILL_LIFE_COLOURS: [Pattern; 6] = [
     Pattern::Plain(Vec3::new(0.15, 0.2, 0.9)),
     Pattern::Plain(Vec3::new(0.55, 0.75, 0.8)),
 ];
+
+/// The still life in flat colours.
+#[must_use]
+pub fn flat(camera: Camera) -> Picture {
+    let objects = still_life(STILL_LIFE_COLOURS);
+    Picture::new(move |pixel| trace(&objects, &camera.ray(pixel.centre())))
+}
 
 /// The floor at height −1, looked at by the still life's camera, with whatever says which squares are dark.
 fn checkered_floor(is_even: fn(Vec3) -> bool) -> Picture {

@@ -18,13 +18,19 @@ pub const STAGE: Stage = Stage {
             name: "hard",
             caption: "The still life with the shadows of its two lights: half-dark where one is hidden, black where both are.",
             knob: None,
-            picture: |_| still_life_by(light_reaches),
+            picture: |_| {
+                still_life_by(still_life_camera(STILL_LIFE_FOCAL_LENGTH), light_reaches)
+            },
         },
         View {
             name: "none",
             caption: "Without shadows: every light reaches everything, and the spheres seem to float.",
             knob: None,
-            picture: |_| still_life_by(|_, _, _, _| true),
+            picture: |_| {
+                still_life_by(still_life_camera(STILL_LIFE_FOCAL_LENGTH), |_, _, _, _| {
+                    true
+                })
+            },
         },
         View {
             name: "lamp-buggy",
@@ -63,8 +69,9 @@ fn picture_of(
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reaches))
 }
 
-fn still_life_by(reaches: Reaches<Pattern>) -> Picture {
-    let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
+/// The still life with whichever shadows `reaches` finds.
+#[must_use]
+pub fn still_life_by(camera: Camera, reaches: Reaches<Pattern>) -> Picture {
     picture_of(lit_still_life(STILL_LIFE_COLOURS), camera, reaches)
 }
 

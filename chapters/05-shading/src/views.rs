@@ -3,6 +3,7 @@
 use crate::{Phong, trace};
 use canvas::{Knob, Picture, Scale, Stage, View};
 use plane_hit::views::STILL_LIFE_COLOURS;
+use ray_casting::Camera;
 use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
 use shadows::views::lit_still_life;
 
@@ -15,17 +16,23 @@ pub const STAGE: Stage = Stage {
             name: "combined",
             caption: "All three together: the still life, shaded.",
             knob: None,
-            picture: |_| still_life_of(|surface| surface),
+            picture: |_| {
+                still_life_of(still_life_camera(STILL_LIFE_FOCAL_LENGTH), |surface| {
+                    surface
+                })
+            },
         },
         View {
             name: "ambient",
             caption: "Ambient light alone: everything glows a little, shadows or not.",
             knob: None,
             picture: |_| {
-                still_life_of(|surface| Phong {
-                    diffuse: 0.0,
-                    specular: 0.0,
-                    ..surface
+                still_life_of(still_life_camera(STILL_LIFE_FOCAL_LENGTH), |surface| {
+                    Phong {
+                        diffuse: 0.0,
+                        specular: 0.0,
+                        ..surface
+                    }
                 })
             },
         },
@@ -34,10 +41,12 @@ pub const STAGE: Stage = Stage {
             caption: "Diffuse light alone: bright where a surface faces the lamp, dark where it turns away.",
             knob: None,
             picture: |_| {
-                still_life_of(|surface| Phong {
-                    ambient: 0.0,
-                    specular: 0.0,
-                    ..surface
+                still_life_of(still_life_camera(STILL_LIFE_FOCAL_LENGTH), |surface| {
+                    Phong {
+                        ambient: 0.0,
+                        specular: 0.0,
+                        ..surface
+                    }
                 })
             },
         },
@@ -54,12 +63,15 @@ pub const STAGE: Stage = Stage {
                 pinned: &[1.0, 10.0, 200.0],
             }),
             picture: |shininess| {
-                still_life_of(move |surface| Phong {
-                    ambient: 0.0,
-                    diffuse: 0.0,
-                    shininess: shininess as u32,
-                    ..surface
-                })
+                still_life_of(
+                    still_life_camera(STILL_LIFE_FOCAL_LENGTH),
+                    move |surface| Phong {
+                        ambient: 0.0,
+                        diffuse: 0.0,
+                        shininess: shininess as u32,
+                        ..surface
+                    },
+                )
             },
         },
     ],
@@ -88,8 +100,8 @@ pub fn still_life_surfaces() -> [Phong; 6] {
 }
 
 /// The still life, every surface of it changed by `change`.
-fn still_life_of(change: impl Fn(Phong) -> Phong) -> Picture {
-    let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
+#[must_use]
+pub fn still_life_of(camera: Camera, change: impl Fn(Phong) -> Phong) -> Picture {
     let scene = lit_still_life(still_life_surfaces().map(change));
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre())))
 }

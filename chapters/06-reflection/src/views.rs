@@ -83,7 +83,9 @@ const BOUNCES: Knob = Knob {
     pinned: &[3.0, 5.0, 10.0],
 };
 
-fn picture_of(scene: Scene<Mirror>, camera: Camera, depth: f32) -> Picture {
+/// A scene with mirrors, each ray followed for `depth` bounces.
+#[must_use]
+pub fn picture_of(scene: Scene<Mirror>, camera: Camera, depth: f32) -> Picture {
     let reach = Reach::new(depth as u32);
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reach))
 }

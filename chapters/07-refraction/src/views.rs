@@ -78,7 +78,14 @@ pub const fn index(pinned: &'static [f32]) -> Knob {
     }
 }
 
-fn picture_of(inside: f32, outside: f32, camera: Camera, redirect: Redirect) -> Picture {
+/// The still life with glass of the index `inside`, and whichever way rays go on at it.
+#[must_use]
+pub fn picture_of(
+    inside: f32,
+    outside: f32,
+    camera: Camera,
+    redirect: Redirect,
+) -> Picture {
     let scene = still_life_with_glass(inside, outside);
     let reach = Reach::new(MAX_DEPTH);
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reach, redirect))

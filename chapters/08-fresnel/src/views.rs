@@ -46,7 +46,9 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-fn picture_of(
+/// The still life with glass of the index `inside`, its two ways shared out by `reflectance`.
+#[must_use]
+pub fn picture_of(
     inside: f32,
     outside: f32,
     camera: Camera,
