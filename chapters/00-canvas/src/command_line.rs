@@ -6,7 +6,6 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use glam::UVec2;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -46,7 +45,7 @@ pub fn run(stage: &'static Stage) -> ExitCode {
 /// Runs a chapter that can also do `tasks`.
 #[must_use]
 pub fn run_with(stage: &'static Stage, tasks: &'static [Task]) -> ExitCode {
-    end_with(obey(stage, tasks, std::env::args_os().collect()))
+    end_with(obey(stage, tasks))
 }
 
 /// Ends a program: says what went wrong, if anything did, and gives the exit code for it.
@@ -76,66 +75,9 @@ pub fn complain(line: &str) {
     let _ = writeln!(std::io::stderr(), "error: {line}");
 }
 
-fn obey(
-    stage: &'static Stage,
-    tasks: &'static [Task],
-    arguments: Vec<OsString>,
-) -> Result<(), Failure> {
-    let matches = match command(stage, tasks).try_get_matches_from(arguments) {
-        Ok(matches) => matches,
-        Err(error) if error.kind() == ErrorKind::DisplayHelp => {
-            let _ = error.print();
-            return Ok(());
-        }
-        Err(error) => return Err(Failure::Usage(one_line(&error))),
-    };
-    for task in tasks {
-        if let Some(value) = matches.get_one::<String>(task.flag) {
-            return (task.run)(value);
-        }
-    }
-    let size = match matches.get_one::<String>("size") {
-        Some(text) => parse_size(text)?,
-        None => UVec2::new(800, 600),
-    };
-
-    if matches.get_flag("list") {
-        list(stage);
-        return Ok(());
-    }
-    if let Some(folder) = matches.get_one::<PathBuf>("all") {
-        return save_all(stage, size, folder);
-    }
-
-    let index = match matches.get_one::<String>("view") {
-        Some(name) => find_view(stage, name)?,
-        None => 0,
-    };
-    let view = &stage.views[index];
-    let setting = setting_of(stage, view, &matches)?;
-    if let Some(path) = matches.get_one::<PathBuf>("png") {
-        return save_one(view, setting, size, path);
-    }
-
-    #[cfg(feature = "window")]
-    let why_not = match crate::window::open(stage, index, setting, size) {
-        Ok(()) => return Ok(()),
-        Err(why_not) => why_not,
-    };
-    #[cfg(not(feature = "window"))]
-    let why_not = "built without the feature `window`".to_string();
-
-    // A machine without a display still gets its picture, and the reader the path.
-    say(&format!(
-        "no window ({why_not}): saving the picture instead"
-    ));
-    let name = format!("{}.png", stage.picture_name(view, setting));
-    save_one(view, setting, size, Path::new(&name))
-}
-
-fn command(stage: &'static Stage, tasks: &'static [Task]) -> Command {
+fn obey(stage: &'static Stage, tasks: &'static [Task]) -> Result<(), Failure> {
     let others = ["view", "knob", "size", "png", "all", "list"];
-    let tasks = tasks.iter().map(|task| {
+    let tasks_as_arguments = tasks.iter().map(|task| {
         Arg::new(task.flag)
             .long(task.flag)
             .value_name(task.value)
@@ -143,6 +85,84 @@ fn command(stage: &'static Stage, tasks: &'static [Task]) -> Command {
             .allow_hyphen_values(true)
             .conflicts_with_all(others)
     });
+    let Some(matches) = matches(stage, command(stage).args(tasks_as_arguments))? else {
+        return Ok(());
+    };
+    for task in tasks {
+        if let Some(value) = matches.get_one::<String>(task.flag) {
+            return (task.run)(value);
+        }
+    }
+    let asked = Asked::of(stage, &matches)?;
+    if let Some(path) = &asked.png {
+        return save_one(asked.view, asked.setting, asked.size, path);
+    }
+
+    #[cfg(feature = "window")]
+    let why_not = match crate::window::open(stage, asked.index, asked.setting, asked.size)
+    {
+        Ok(()) => return Ok(()),
+        Err(why_not) => why_not,
+    };
+    #[cfg(not(feature = "window"))]
+    let why_not = "built without the feature `window`".to_string();
+
+    let path = asked.path_without_window(stage, &why_not);
+    save_one(asked.view, asked.setting, asked.size, &path)
+}
+
+/// What a command line asks for, by the options that every chapter has.
+pub struct Asked {
+    /// The view's index in its stage.
+    pub index: usize,
+    /// The view.
+    pub view: &'static View,
+    /// The setting of its knob.
+    pub setting: f32,
+    /// The size of its picture, in pixels.
+    pub size: UVec2,
+    /// Where to save the picture, in place of opening a window.
+    pub png: Option<PathBuf>,
+}
+
+impl Asked {
+    /// Reads the options that [`command`] has defined.
+    ///
+    /// # Errors
+    /// One line that says which of them makes no sense, and what would.
+    pub fn of(stage: &'static Stage, matches: &ArgMatches) -> Result<Self, Failure> {
+        let size = size_of(matches)?;
+        let index = match matches.get_one::<String>("view") {
+            Some(name) => find_view(stage, name)?,
+            None => 0,
+        };
+        let view = &stage.views[index];
+        Ok(Self {
+            index,
+            view,
+            setting: setting_of(stage, view, matches)?,
+            size,
+            png: matches
+                .get_one::<PathBuf>("png")
+                .map(|path| png_path(path))
+                .transpose()?,
+        })
+    }
+
+    /// Says that there is no window, and where the picture goes instead: a machine without a display
+    /// still gets it.
+    #[must_use]
+    pub fn path_without_window(&self, stage: &Stage, why_not: &str) -> PathBuf {
+        say(&format!(
+            "no window ({why_not}): saving the picture instead"
+        ));
+        format!("{}.png", stage.picture_name(self.view, self.setting)).into()
+    }
+}
+
+/// The command line that every chapter has.
+#[must_use]
+pub fn command(stage: &Stage) -> Command {
     Command::new(stage.name)
         .about(stage.title)
         .after_help(
@@ -180,7 +200,31 @@ fn command(stage: &'static Stage, tasks: &'static [Task]) -> Command {
                 .conflicts_with_all(["view", "knob", "size", "png", "all"])
                 .help("List the views and their knobs"),
         ])
-        .args(tasks)
+}
+
+/// The program's arguments, by a [`command`] that may have been given more of them. None, if it asked
+/// for help, for the list of views, or for all of them: that is then done.
+///
+/// # Errors
+/// One line that says what makes no sense, or what could not be done.
+pub fn matches(stage: &Stage, command: Command) -> Result<Option<ArgMatches>, Failure> {
+    let matches = match command.try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) if error.kind() == ErrorKind::DisplayHelp => {
+            let _ = error.print();
+            return Ok(None);
+        }
+        Err(error) => return Err(Failure::Usage(one_line(&error))),
+    };
+    if matches.get_flag("list") {
+        list(stage);
+        return Ok(None);
+    }
+    if let Some(folder) = matches.get_one::<PathBuf>("all") {
+        save_all(stage, size_of(&matches)?, folder)?;
+        return Ok(None);
+    }
+    Ok(Some(matches))
 }
 
 /// clap explains itself in paragraphs; the first says what is wrong.
@@ -255,7 +299,23 @@ fn setting_of(stage: &Stage, view: &View, matches: &ArgMatches) -> Result<f32, F
     }
 }
 
-fn parse_size(text: &str) -> Result<UVec2, Failure> {
+fn png_path(path: &Path) -> Result<PathBuf, Failure> {
+    let is_png = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    if !is_png {
+        return Err(Failure::Usage(format!(
+            "--png '{}' does not end in .png, and a PNG is what it would be",
+            path.display()
+        )));
+    }
+    Ok(path.to_path_buf())
+}
+
+fn size_of(matches: &ArgMatches) -> Result<UVec2, Failure> {
+    let Some(text) = matches.get_one::<String>("size") else {
+        return Ok(UVec2::new(800, 600));
+    };
     let side = |text: &str| {
         text.parse()
             .ok()
@@ -271,15 +331,6 @@ fn parse_size(text: &str) -> Result<UVec2, Failure> {
 }
 
 fn save_one(view: &View, setting: f32, size: UVec2, path: &Path) -> Result<(), Failure> {
-    let is_png = path
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-    if !is_png {
-        return Err(Failure::Usage(format!(
-            "--png '{}' does not end in .png, and a PNG is what it would be",
-            path.display()
-        )));
-    }
     check_destination(path).map_err(Failure::Failed)?;
     Canvas::paint(&(view.picture)(setting), size)
         .save(path)

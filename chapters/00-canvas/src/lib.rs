@@ -10,8 +10,10 @@ pub mod views;
 #[cfg(feature = "window")]
 mod window;
 
-pub use command_line::{Failure, Task, end_with, run, run_with, say};
-pub use file::write_file;
+pub use command_line::{
+    Asked, Failure, Task, command, complain, end_with, matches, run, run_with, say,
+};
+pub use file::{check_destination, write_file};
 pub use srgb::{decode, encode};
 pub use stage::{Knob, Scale, Stage, View};
 pub use views::STAGE;
