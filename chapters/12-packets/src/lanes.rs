@@ -75,6 +75,15 @@ impl Vectors {
         let squared = self.dot(self);
         squared.simd_ge(f32::MIN_POSITIVE) & squared.simd_lt(f32::INFINITY)
     }
+
+    /// Puts the first lanes into their places, [`LANES`] at the most.
+    #[inline(always)]
+    pub fn write(self, places: &mut [Vec3]) {
+        let [x, y, z] = [self.x, self.y, self.z].map(Lanes::to_array);
+        for (lane, place) in places.iter_mut().enumerate() {
+            *place = Vec3::new(x[lane], y[lane], z[lane]);
+        }
+    }
 }
 // ANCHOR_END: vectors
 

@@ -281,6 +281,14 @@ pub fn rays(
     }
 }
 
+/// How far the i-th of a pixel's n × n samples is from its centre; where chapter 9's
+/// `regular` has it.
+#[must_use]
+pub fn from_centre(pixel: Pixel, n: u32, i: u32) -> Vec2 {
+    let cell = UVec2::new(i % n, i / n).as_vec2() + Vec2::splat(0.5);
+    pixel.footprint() * (cell / n as f32 - Vec2::splat(0.5))
+}
+
 /// Paints a run of pixels by n × n rays each, as chapter 9's `regular` places them
 /// and adds them up.
 pub fn paint(
@@ -295,16 +303,10 @@ pub fn paint(
         let first = Pixel { x, ..first };
         let mut sum = Vectors::splat(Vec3::ZERO);
         for i in 0..n * n {
-            let cell = UVec2::new(i % n, i / n).as_vec2() + Vec2::splat(0.5);
-            let from_centre = first.footprint() * (cell / n as f32 - Vec2::splat(0.5));
-            let rays = rays(camera, first, places.len(), from_centre);
+            let rays = rays(camera, first, places.len(), from_centre(first, n, i));
             sum = sum + trace(scene, &rays, reach, Lanes::splat(reach.weight));
         }
-        let mean = sum / (n * n) as f32;
-        let [x, y, z] = [mean.x, mean.y, mean.z].map(Lanes::to_array);
-        for (lane, place) in places.iter_mut().enumerate() {
-            *place = Vec3::new(x[lane], y[lane], z[lane]);
-        }
+        (sum / (n * n) as f32).write(places);
     }
 }
 // ANCHOR_END: paint
