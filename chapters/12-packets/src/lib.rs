@@ -2,152 +2,25 @@
 //! Sixteen rays at once: lanes in place of numbers, masks in place of `if`, and the same
 //! picture to the last bit.
 
+mod hits;
 mod lanes;
 mod surface;
 pub mod views;
+pub use hits::Packet;
 pub use lanes::{LANES, Lanes, Vectors};
 pub use views::STAGE;
 
 use canvas::{Pixel, count_rays};
 use glam::{UVec2, Vec2, Vec3};
-use plane_hit::{Object, Plane, Shape};
+use hits::Hits;
+use plane_hit::Object;
 use ray_casting::Camera;
 use reflection::Reach;
 use refraction::Material;
 use shadows::Scene;
-use sphere_hit::{FARTHEST, Sphere};
 use std::cell::Cell;
 use surface::{colour, facing, lit, on_the_surface, ways_on};
 // ANCHOR_END: head
-
-// ANCHOR: packet
-/// A ray in every lane that is live, and the one object whose surface they all leave.
-#[derive(Clone, Copy, Debug)]
-pub struct Packet<'a> {
-    /// Where they start.
-    pub origin: Vectors,
-    /// Where they go: unit vectors, up to rounding.
-    pub direction: Vectors,
-    /// Where they come from, if not from the eye.
-    pub from: Option<&'a Object<Material>>,
-    /// A mask: which rays go into that object.
-    pub inwards: Lanes,
-    /// A mask: which lanes hold a ray. Nobody asks what comes of the others.
-    pub live: Lanes,
-}
-
-/// Where some rays, by a mask, meet a surface.
-#[derive(Clone, Copy)]
-struct Hits {
-    met: Lanes,
-    t: Lanes,
-    normal: Vectors,
-}
-
-impl Packet<'_> {
-    fn at(&self, t: Lanes) -> Vectors {
-        self.origin + self.direction * t
-    }
-}
-// ANCHOR_END: packet
-
-// ANCHOR: hit
-impl Packet<'_> {
-    /// Of some of the rays, those that meet a sphere.
-    #[inline(always)]
-    fn hit_sphere(&self, sphere: &Sphere, rays: Lanes, t_max: Lanes) -> Option<Hits> {
-        let oc = self.origin - Vectors::splat(sphere.centre);
-        let d_dot_d = self.direction.dot(self.direction);
-        let t_closest = -self.direction.dot(oc) / d_dot_d;
-        let closest = oc + self.direction * t_closest;
-        let half_chord_squared = sphere.radius * sphere.radius - closest.dot(closest);
-        let met = rays & half_chord_squared.simd_ge(0.0);
-        // The `if` that pays: most packets miss most spheres.
-        if met.none() {
-            return None;
-        }
-        let t_half = (half_chord_squared / d_dot_d).sqrt();
-        let near = t_closest - t_half;
-        let is_near = near.simd_gt(0.0) & near.simd_lt(t_max);
-        let t = is_near.select(near, t_closest + t_half);
-        Some(self.hits_at(sphere, met, t, t_max))
-    }
-
-    /// Of some of the rays that start on a sphere, those that meet it again.
-    fn other_hit(&self, sphere: &Sphere, rays: Lanes, t_max: Lanes) -> Option<Hits> {
-        let oc = self.origin - Vectors::splat(sphere.centre);
-        let d_dot_d = self.direction.dot(self.direction);
-        let t = -2.0 * self.direction.dot(oc) / d_dot_d;
-        Some(self.hits_at(sphere, rays, t, t_max))
-    }
-
-    #[inline(always)]
-    fn hits_at(&self, sphere: &Sphere, rays: Lanes, t: Lanes, t_max: Lanes) -> Hits {
-        let outward = (self.at(t) - Vectors::splat(sphere.centre)) / sphere.radius;
-        let is_ahead = t.simd_gt(0.0) & t.simd_lt(t_max);
-        Hits {
-            met: rays & is_ahead & outward.have_unit(),
-            t,
-            normal: outward.normalize(),
-        }
-    }
-
-    fn hit_plane(&self, plane: &Plane, rays: Lanes, t_max: Lanes) -> Option<Hits> {
-        let normal = Vectors::splat(plane.normal);
-        let to_plane = Vectors::splat(plane.point) - self.origin;
-        let t = to_plane.dot(normal) / self.direction.dot(normal);
-        let met = rays & t.simd_gt(0.0) & t.simd_lt(t_max);
-        met.any().then_some(Hits { met, t, normal })
-    }
-
-    #[inline(always)]
-    fn hit(&self, object: &Object<Material>, rays: Lanes, t_max: Lanes) -> Option<Hits> {
-        let is_where_from = self.from.is_some_and(|from| std::ptr::eq(from, object));
-        match &object.shape {
-            Shape::Sphere(sphere) if is_where_from => {
-                self.other_hit(sphere, rays & self.inwards, t_max)
-            }
-            Shape::Sphere(sphere) => self.hit_sphere(sphere, rays, t_max),
-            Shape::Plane(plane) if !is_where_from => self.hit_plane(plane, rays, t_max),
-            Shape::Plane(_) => None,
-        }
-    }
-}
-// ANCHOR_END: hit
-
-// ANCHOR: nearest
-impl Packet<'_> {
-    /// The index of the object that each ray meets first, −1 for none, and where.
-    fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Hits) {
-        let mut nearest = Lanes::splat(-1.0);
-        let mut t = Lanes::splat(FARTHEST);
-        let mut normal = self.direction;
-        for (index, object) in objects.iter().enumerate() {
-            if let Some(hits) = self.hit(object, self.live, t) {
-                nearest = hits.met.select(Lanes::splat(index as f32), nearest);
-                t = hits.met.select(hits.t, t);
-                normal = hits.met.select(hits.normal, normal);
-            }
-        }
-        let met = nearest.simd_ge(0.0);
-        (nearest, Hits { met, t, normal })
-    }
-
-    /// A mask: the rays that nothing is in the way of before `t_max`.
-    fn free(&self, objects: &[Object<Material>], t_max: Lanes) -> Lanes {
-        let mut free = self.live;
-        for object in objects {
-            if let Some(hits) = self.hit(object, free, t_max) {
-                free &= !hits.met;
-                if free.none() {
-                    break;
-                }
-            }
-        }
-        free
-    }
-}
-// ANCHOR_END: nearest
 
 // ANCHOR: count
 thread_local! {
