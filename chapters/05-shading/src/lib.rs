@@ -9,6 +9,7 @@ use plane_hit::{Pattern, nearest};
 use ray_casting::{Ray, unit};
 use shadows::{PointLight, Scene, light_reaches};
 use sphere_hit::facing;
+use std::ops::Mul;
 // ANCHOR_END: head
 
 // ANCHOR: phong
@@ -35,17 +36,19 @@ pub struct Phong {
 /// `base` to the power of `exponent`, by repeated squaring: the same bits on every
 /// machine.
 ///
+/// `T` is f32, or, in chapter 12, sixteen of them.
+///
 /// Source: Knuth, The Art of Computer Programming, vol. 2, 4.6.3.
 #[must_use]
-pub fn power(base: f32, exponent: u32) -> f32 {
-    let mut result = 1.0;
+pub fn power<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T {
+    let mut result = T::from(1.0);
     let mut square = base;
     let mut bits = exponent;
     while bits > 0 {
         if bits & 1 == 1 {
-            result *= square;
+            result = result * square;
         }
-        square *= square;
+        square = square * square;
         bits >>= 1;
     }
     result

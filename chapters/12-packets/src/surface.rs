@@ -3,7 +3,7 @@
 use crate::{Lanes, Vectors};
 use plane_hit::{Pattern, Shape};
 use refraction::Body;
-use shading::Phong;
+use shading::{Phong, power};
 
 // ANCHOR: shading
 /// The normals on the side that rays along `incident` come from.
@@ -33,20 +33,6 @@ pub fn colour(pattern: Pattern, point: Vectors) -> Vectors {
             is_even.select(Vectors::splat(even), Vectors::splat(odd))
         }
     }
-}
-
-fn power(base: Lanes, exponent: u32) -> Lanes {
-    let mut result = Lanes::splat(1.0);
-    let mut square = base;
-    let mut bits = exponent;
-    while bits > 0 {
-        if bits & 1 == 1 {
-            result *= square;
-        }
-        square *= square;
-        bits >>= 1;
-    }
-    result
 }
 
 /// The light of lamps of intensity 1, and a mask: where there is any.
