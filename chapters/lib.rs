@@ -3,7 +3,7 @@
 use canvas::Stage;
 
 /// Every chapter's stage. The tests, the book and `cargo run` go by this list.
-pub const STAGES: [&Stage; 14] = [
+pub const STAGES: [&Stage; 15] = [
     &canvas::STAGE,
     &ray_casting::STAGE,
     &sphere_hit::STAGE,
@@ -18,4 +18,5 @@ pub const STAGES: [&Stage; 14] = [
     &transparency::STAGE,
     &packets::STAGE,
     &speed_and_accuracy::STAGE,
+    &interactive::STAGE,
 ];

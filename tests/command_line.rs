@@ -27,11 +27,13 @@ const BINARIES: [&str; STAGES.len()] = [
     env!("CARGO_BIN_EXE_11-transparency"),
     env!("CARGO_BIN_EXE_12-packets"),
     env!("CARGO_BIN_EXE_13-speed-and-accuracy"),
+    env!("CARGO_BIN_EXE_14-interactive"),
 ];
 const SPHERE_HIT: &str = BINARIES[2];
 const SHADOWS: &str = BINARIES[4];
 const SHADING: &str = BINARIES[5];
 const SPEED_AND_ACCURACY: &str = BINARIES[13];
+const INTERACTIVE: &str = BINARIES[14];
 
 /// A small picture's size, as an argument and as the library has it.
 const SMALL: (&str, UVec2) = ("40x30", UVec2::new(40, 30));
@@ -378,6 +380,123 @@ fn study_measures_no_study_that_there_is_not_and_nothing_in_a_debug_build() {
     // No other chapter measures.
     let mut command = command(SHADING, &["--study", "all"], folder.path());
     assert_refused(&mut command, folder.path(), 2, &["--study", "--help"]);
+}
+
+#[test]
+fn camera_and_trace_and_target_say_what_is_wrong_with_them() {
+    let folder = temp();
+    let refused = |arguments: &[&str], words: &[&str]| {
+        let mut command = command(INTERACTIVE, arguments, folder.path());
+        assert_refused(&mut command, folder.path(), 2, words);
+    };
+    for camera in [
+        "",
+        "1,2,3",
+        "0,2,-7,0,NaN,7,2",
+        "0,2,-7,0,1,0,2",
+        "two\nlines",
+    ] {
+        for other in [["--png", "a.png"], ["--trace", "1,1"], ["--size", "8x6"]] {
+            let arguments = [&["--camera", camera], &other[..]].concat();
+            refused(&arguments, &["--camera", "seven numbers", "0,2,-7,"]);
+        }
+    }
+    for pixel in [
+        "",
+        "1",
+        "1,",
+        "8,0",
+        "0,6",
+        "-1,0",
+        "1.5,0",
+        "1,2,3",
+        "99999999999,0",
+    ] {
+        let arguments = ["--trace", pixel, "--size", "8x6"];
+        refused(&arguments, &["--trace", "no pixel of 8x6", "0,0 to 7,5"]);
+    }
+    for target in ["", "0", "-3", "fast", "33ms", "10001", "NaN"] {
+        refused(
+            &["--target", target],
+            &["--target", "milliseconds", "1 to 10000"],
+        );
+    }
+    for other in [["--png", "a.png"], ["--all", "."], ["--target", "33"]] {
+        let arguments = [&["--trace", "1,1"], &other[..]].concat();
+        refused(&arguments, &["--trace", other[0]]);
+    }
+    refused(
+        &["--camera", "0,2,-7,0,-1,7,2", "--list"],
+        &["--camera", "--list"],
+    );
+    let help = accepted(INTERACTIVE, &["--help"], folder.path()).join("\n");
+    for word in [
+        "--camera <NUMBERS>",
+        "--trace <X,Y>",
+        "--target <MS>",
+        "W A S D",
+        "Space",
+    ] {
+        assert!(help.contains(word), "--help does not name {word}");
+    }
+    // No other chapter walks.
+    let mut command = command(SHADING, &["--trace", "1,1"], folder.path());
+    assert_refused(&mut command, folder.path(), 2, &["--trace", "--help"]);
+}
+
+#[test]
+fn camera_says_from_where_and_the_picture_knows_it() {
+    let folder = temp();
+    let camera = "1,1.5,-5,-0.2,-0.1,1,1.5";
+    let walker: interactive::Walker = camera.parse().expect("a walker");
+    for (view, knob, setting) in [(0, "2", 2.0), (8, "2.42", 2.42), (3, "", 0.0)] {
+        let name = STAGES[14].views[view].name;
+        let camera = format!("--camera={camera}");
+        let mut arguments = vec!["--view", name, "--size", SMALL.0, &camera];
+        if !knob.is_empty() {
+            arguments.extend(["--knob", knob]);
+        }
+        // Without a display it is saved under the view's own name.
+        let lines = accepted(INTERACTIVE, &arguments, folder.path());
+        assert!(lines[0].starts_with("no window"), "{lines:?}");
+        let path = folder.path().join(&lines[1]);
+        let saved = image::open(&path).expect("a PNG");
+        let picture = interactive::views::whole(view, walker.camera(), setting);
+        let expected = Canvas::paint(&picture, SMALL.1);
+        assert!(saved.as_bytes() == expected.levels.as_flattened(), "{name}");
+        let bytes = fs::read(&path).expect("its bytes");
+        let holds = |text: &str| {
+            bytes
+                .windows(text.len())
+                .any(|part| part == text.as_bytes())
+        };
+        assert!(holds(&format!("Camera\0{walker}")), "{name}");
+        assert!(
+            holds("cargo run --release --bin 14-interactive -- --view "),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn trace_explains_a_pixel_and_opens_no_window() {
+    let folder = temp();
+    let lines = accepted(INTERACTIVE, &["--trace", "480,390"], folder.path());
+    assert_eq!(
+        lines[0],
+        "pixel 480,390 of 800x600, the ray through its centre"
+    );
+    assert!(
+        lines.iter().any(|line| line.contains("enters glass")),
+        "{lines:?}"
+    );
+    let arguments = ["--trace", "0,0", "--size", SMALL.0];
+    let lines = accepted(INTERACTIVE, &arguments, folder.path());
+    assert!(
+        lines.iter().any(|line| line.contains("meets nothing")),
+        "{lines:?}"
+    );
+    assert!(names(folder.path()).is_empty());
 }
 
 #[test]

@@ -37,7 +37,7 @@ macro_rules! chapters {
 
 chapters!(
     canvas ray_casting sphere_hit plane_hit shadows shading reflection refraction fresnel
-    anti_aliasing shadow_acne transparency packets speed_and_accuracy
+    anti_aliasing shadow_acne transparency packets speed_and_accuracy interactive
 );
 
 fn check_pictures(stage: &Stage) {

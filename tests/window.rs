@@ -4,6 +4,9 @@
 //! fast the machine is. Without Xvfb (Debian: `apt install xvfb`) the tests are skipped, but not in CI.
 #![cfg(target_os = "linux")]
 
+#[path = "window/interactive.rs"]
+mod interactive;
+
 use canvas::{Canvas, Stage};
 use glam::UVec2;
 use std::fmt::Debug;
@@ -15,8 +18,10 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use x11rb::connection::Connection;
 use x11rb::protocol::xproto::{
-    self, ConfigureWindowAux, ConnectionExt as _, EventMask, ImageFormat, InputFocus,
+    self, BUTTON_PRESS_EVENT as BUTTON_PRESS, BUTTON_RELEASE_EVENT as BUTTON_RELEASE,
+    ConfigureWindowAux, ConnectionExt as _, EventMask, ImageFormat, InputFocus,
     KEY_PRESS_EVENT as KEY_PRESS, KEY_RELEASE_EVENT as KEY_RELEASE,
+    MOTION_NOTIFY_EVENT as MOTION,
 };
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
@@ -124,8 +129,22 @@ impl Screen {
         let (code, _) = codes
             .find(|(_, symbols)| symbols[0] == symbol)
             .expect("such a key");
+        self.fake(event, code, 0, 0);
+    }
+
+    /// Presses or releases a mouse button; the wheel is buttons 4 and 5.
+    fn button(&self, button: u8, event: u8) {
+        self.fake(event, button, 0, 0);
+    }
+
+    /// Moves the mouse's pointer, to where it is on the screen.
+    fn point(&self, x: i16, y: i16) {
+        self.fake(MOTION, 0, x, y);
+    }
+
+    fn fake(&self, event: u8, detail: u8, x: i16, y: i16) {
         self.x
-            .xtest_fake_input(event, code, x11rb::CURRENT_TIME, self.root, 0, 0, 0)
+            .xtest_fake_input(event, detail, x11rb::CURRENT_TIME, self.root, x, y, 0)
             .expect("sent")
             .check()
             .expect("XTEST");
@@ -474,6 +493,17 @@ fn it_ends_at_once_in_the_middle_of_a_picture() {
     }
 }
 
+/// The hundredths of a second that a process or thread has spent, by its `stat` in /proc.
+fn ticks(stat: &str) -> u64 {
+    let stat = fs::read_to_string(stat).expect("the process");
+    // Fields 14 and 15 are those in it and for it; the name, field 2, ends with ')'.
+    let (_, fields) = stat.rsplit_once(')').expect("a name");
+    let fields = fields.split_whitespace().skip(11).take(2);
+    fields
+        .map(|field| field.parse::<u64>().expect("ticks"))
+        .sum()
+}
+
 /// What it costs to show a picture that is done is printed, not judged: that is a matter of the machine.
 #[test]
 fn it_stays_open_while_nothing_happens() {
@@ -481,16 +511,7 @@ fn it_stays_open_while_nothing_happens() {
     let mut shown = Shown::new(&screen, SHADING, &[]);
     shown.title_with(&DONE);
     let stat = format!("/proc/{}/stat", shown.process.0.id());
-    // Fields 14 and 15 are hundredths of a second in and for the process; the name, field 2, ends with ')'.
-    let spent = || {
-        let stat = fs::read_to_string(&stat).expect("the process");
-        let (_, fields) = stat.rsplit_once(')').expect("a name");
-        let fields = fields.split_whitespace().skip(11).take(2);
-        let ticks: u64 = fields
-            .map(|field| field.parse::<u64>().expect("ticks"))
-            .sum();
-        ticks as f64 / 100.0
-    };
+    let spent = || ticks(&stat) as f64 / 100.0;
     let (before, start) = (spent(), Instant::now());
     sleep(Duration::from_secs(3));
     let share = 100.0 * (spent() - before) / start.elapsed().as_secs_f64();

@@ -17,6 +17,8 @@ pub use file::{check_destination, write_file};
 pub use srgb::{decode, encode};
 pub use stage::{Knob, Scale, Stage, View};
 pub use views::STAGE;
+#[cfg(feature = "window")]
+pub use window::{digit, size_on_screen};
 
 use glam::{UVec2, Vec2, Vec3};
 use rayon::prelude::*;

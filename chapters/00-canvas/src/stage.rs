@@ -78,6 +78,18 @@ impl Stage {
             _ => name,
         }
     }
+
+    /// How a window's title begins: stage, view, and what the knob is set to.
+    #[must_use]
+    pub fn title_of(&self, view: &View, setting: f32) -> String {
+        let name = format!("{} | {}", self.name, view.name);
+        match &view.knob {
+            Some(knob) => format!("{name} | {} {setting} {}", knob.name, knob.unit)
+                .trim_end()
+                .to_string(),
+            None => name,
+        }
+    }
 }
 
 impl View {

@@ -73,7 +73,9 @@ pub fn open(
     Ok(())
 }
 
-fn size_on_screen(size: UVec2) -> UVec2 {
+/// As large as `size`, or smaller, so that it fits a small screen.
+#[must_use]
+pub fn size_on_screen(size: UVec2) -> UVec2 {
     let fit = (LARGEST_WINDOW.as_vec2() / size.as_vec2()).min_element();
     if fit < 1.0 {
         (size.as_vec2() * fit).as_uvec2().max(UVec2::ONE)
@@ -82,7 +84,9 @@ fn size_on_screen(size: UVec2) -> UVec2 {
     }
 }
 
-fn digit(key: Key) -> Option<usize> {
+/// 0 for the key 1, up to 8 for the key 9.
+#[must_use]
+pub fn digit(key: Key) -> Option<usize> {
     const DIGITS: [Key; 9] = [
         Key::Key1,
         Key::Key2,
@@ -212,14 +216,6 @@ impl Preview {
 
     /// Stage, view and knob, for the title.
     fn name(&self) -> String {
-        let name = format!("{} | {}", self.stage.name, self.view().name);
-        match &self.view().knob {
-            Some(knob) => {
-                format!("{name} | {} {} {}", knob.name, self.setting(), knob.unit)
-                    .trim_end()
-                    .to_string()
-            }
-            None => name,
-        }
+        self.stage.title_of(self.view(), self.setting())
     }
 }

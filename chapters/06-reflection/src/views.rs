@@ -61,7 +61,9 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-const fn depth(default: u32, pinned: &'static [f32]) -> Knob {
+/// The knob of how many bounces a ray is followed for.
+#[must_use]
+pub const fn depth(default: u32, pinned: &'static [f32]) -> Knob {
     Knob {
         name: "depth",
         unit: "bounces",

@@ -73,7 +73,9 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-const fn n(default: u32, pinned: &'static [f32]) -> Knob {
+/// The knob of how many rows and columns of samples a pixel has.
+#[must_use]
+pub const fn n(default: u32, pinned: &'static [f32]) -> Knob {
     Knob {
         name: "n",
         unit: "",

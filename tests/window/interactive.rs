@@ -1,0 +1,380 @@
+//! Chapter 14's window: it moves, refines, explains, resizes and closes.
+
+use super::*;
+use ::interactive::{STAGE, Walker, views};
+use canvas::Picture;
+use reflection::{MAX_DEPTH, Reach};
+use refraction::views::{AIR, GLASS, still_life_with_glass};
+use shadow_acne::{from_the_eye, from_the_surface, trace};
+
+const INTERACTIVE: (&str, &Stage) = (env!("CARGO_BIN_EXE_14-interactive"), &STAGE);
+
+/// How far a step leads where it should.
+type Towards = fn(glam::Vec3, &ray_casting::Camera) -> f32;
+
+/// The title when a picture of 4 × 4 samples is done.
+const REFINED: [&str; 1] = ["16 of 16 samples"];
+
+/// Chapter 9's n × n sampler over chapter 10's trace.
+fn by_the_book(walker: Walker, n: u32, size: UVec2) -> Vec<[u8; 3]> {
+    let (scene, camera) = (still_life_with_glass(GLASS, AIR), walker.camera());
+    let picture = Picture::new(move |pixel| {
+        anti_aliasing::regular(pixel, n, &|point| {
+            let leaving = from_the_eye(camera.ray(point));
+            trace(&scene, leaving, Reach::new(MAX_DEPTH), from_the_surface)
+        })
+    });
+    Canvas::paint(&picture, size).levels
+}
+
+fn open(screen: &Screen) -> Shown<'_> {
+    let shown = Shown::new(screen, INTERACTIVE, &SMALL_ARGUMENTS);
+    // In the corner, so that the window's pixels are the screen's.
+    shown.resize(SMALL.x, SMALL.y);
+    shown
+}
+
+impl Shown<'_> {
+    /// Presses P until the picture is saved; where from, by the PNG, and its pixels.
+    fn saved(&self, number: u32) -> (Walker, Vec<u8>) {
+        let name = format!("shot-{number}.png");
+        self.press('p'.into(), &["saved ", &name]);
+        let files = fs::read_dir(self.folder.path()).expect("a folder");
+        let paths = files.map(|file| file.expect("a file").path());
+        let path = { paths }
+            .find(|path| path.to_str().is_some_and(|path| path.ends_with(&name)))
+            .expect("a shot");
+        let file = BufReader::new(fs::File::open(&path).expect("a file"));
+        let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
+        let texts = &reader.info().uncompressed_latin1_text;
+        let camera = texts.iter().find(|text| text.keyword == "Camera");
+        let walker = camera.expect("the camera").text.parse().expect("a walker");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        reader.next_frame(&mut pixels).expect("pixels");
+        (walker, pixels)
+    }
+
+    /// Moves the pointer with the button held, so that what is done is a drag, not a click.
+    fn drag(&self, from: (i16, i16), to: (i16, i16)) {
+        let steps = 8;
+        self.screen.point(from.0, from.1);
+        sleep(Duration::from_millis(60));
+        self.screen.button(1, BUTTON_PRESS);
+        sleep(Duration::from_millis(60));
+        for step in 1..=steps {
+            let at = |from, to| from + (to - from) * step / steps;
+            self.screen.point(at(from.0, to.0), at(from.1, to.1));
+            sleep(Duration::from_millis(40));
+        }
+        sleep(Duration::from_millis(60));
+        self.screen.button(1, BUTTON_RELEASE);
+    }
+
+    fn click(&self, x: i16, y: i16) {
+        self.screen.point(x, y);
+        sleep(Duration::from_millis(60));
+        self.screen.button(1, BUTTON_PRESS);
+        sleep(Duration::from_millis(60));
+        self.screen.button(1, BUTTON_RELEASE);
+    }
+}
+
+#[test]
+fn standing_still_it_refines_to_the_books_picture() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    let title = shown.title_with(&REFINED);
+    let parts: Vec<_> = title.split(" | ").collect();
+    let [
+        "14-interactive",
+        "still-life",
+        "n 4",
+        ms,
+        "400x300",
+        _,
+        rays,
+    ] = parts[..]
+    else {
+        panic!("{title}");
+    };
+    assert!(
+        ms.strip_suffix(" ms")
+            .is_some_and(|ms| ms.parse::<u64>().is_ok()),
+        "{title}"
+    );
+    let rate = rays
+        .strip_suffix(" Mrays/s")
+        .and_then(|rate| rate.parse::<f64>().ok());
+    assert!(rate.is_some_and(|rate| rate > 0.0), "{title}");
+    let expected = by_the_book(Walker::START, 4, SMALL);
+    shown.assert_shows("sixteen samples a pixel", &expected);
+
+    shown.press(UP, &["n 5 |"]);
+    shown.title_with(&["25 of 25 samples"]);
+    shown.assert_shows("25 samples a pixel", &by_the_book(Walker::START, 5, SMALL));
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn keys_walk_and_what_is_saved_there_can_be_drawn_again() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let mut before = Walker::START.camera();
+    let moves: [(char, Towards); 6] = [
+        ('w', |by, camera| by.dot(camera.forward)),
+        ('s', |by, camera| -by.dot(camera.forward)),
+        ('a', |by, camera| -by.dot(camera.right)),
+        ('d', |by, camera| by.dot(camera.right)),
+        ('r', |by, _| by.y),
+        ('f', |by, _| -by.y),
+    ];
+    for (number, (key, ahead)) in (1..).zip(moves) {
+        // While it moves, a frame is coarse: one sample, never all of them.
+        shown.press(key.into(), &["0 of 16 samples"]);
+        sleep(Duration::from_millis(100));
+        let (walker, pixels) = shown.saved(number);
+        let after = walker.camera();
+        assert!(ahead(after.eye - before.eye, &before) > 0.0, "{key}");
+        assert_eq!(after.forward, before.forward);
+        let expected = by_the_book(walker, 4, SMALL);
+        assert!(pixels == expected.as_flattened(), "{key}");
+        before = after;
+    }
+    let (stdout, stderr) = shown.close_with_escape();
+    assert_eq!(stderr, "");
+    let lines: Vec<_> = stdout.lines().collect();
+    assert_eq!(lines.len(), 12, "{stdout}");
+    // The last command, by this binary, into a folder of its own.
+    let (cargo, arguments) = lines[11].split_once(" -- ").expect("a command");
+    assert_eq!(cargo, "cargo run --release --bin 14-interactive");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let drawn = Command::new(INTERACTIVE.0)
+        .args(arguments.split(' '))
+        .current_dir(folder.path())
+        .output();
+    assert_eq!(drawn.expect("the binary runs").status.code(), Some(0));
+    let (_, name) = arguments.rsplit_once(' ').expect("a name");
+    let again = image::open(folder.path().join(name)).expect("a PNG");
+    let (_, camera) = arguments.split_once("--camera=").expect("a camera");
+    let (camera, _) = camera.split_once(' ').expect("numbers");
+    let walker: Walker = camera.parse().expect("a walker");
+    assert_eq!(walker.camera().eye, before.eye);
+    assert!(again.as_bytes() == by_the_book(walker, 4, SMALL).as_flattened());
+}
+
+#[test]
+fn the_mouse_turns_and_its_wheel_zooms() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let start = Walker::START.camera();
+    shown.drag((200, 150), (120, 150));
+    let (turned, pixels) = shown.saved(1);
+    let camera = turned.camera();
+    assert_eq!(camera.eye, start.eye);
+    // What was dragged to the left leaves more to be seen at the right.
+    assert!(camera.forward.dot(start.right) > 0.05, "{turned}");
+    assert!(
+        (camera.forward.y - start.forward.y).abs() < 0.02,
+        "{turned}"
+    );
+    assert!(pixels == by_the_book(turned, 4, SMALL).as_flattened());
+    shown.drag((200, 150), (200, 200));
+    let (raised, _) = shown.saved(2);
+    assert!(
+        raised.camera().forward.y > camera.forward.y + 0.05,
+        "{raised}"
+    );
+
+    let focal_length = |number| shown.saved(number).0.camera().focal_length;
+    let wheel = |button| {
+        screen.button(button, BUTTON_PRESS);
+        screen.button(button, BUTTON_RELEASE);
+        sleep(Duration::from_millis(200));
+    };
+    wheel(4);
+    let near = focal_length(3);
+    assert!(near > 1.05 * start.focal_length, "{near}");
+    wheel(5);
+    wheel(5);
+    let far = focal_length(4);
+    assert!(far < start.focal_length / 1.05, "{far}");
+    screen.key('='.into(), KEY_PRESS);
+    sleep(Duration::from_millis(200));
+    screen.key('='.into(), KEY_RELEASE);
+    let nearer = focal_length(5);
+    assert!(nearer > far, "{nearer}");
+    screen.key('-'.into(), KEY_PRESS);
+    sleep(Duration::from_millis(200));
+    screen.key('-'.into(), KEY_RELEASE);
+    assert!(focal_length(6) < nearer);
+    // A drag is no click, and the wheel neither: nothing has been explained.
+    let (stdout, _) = shown.close_with_escape();
+    assert_eq!(stdout.lines().count(), 12, "{stdout}");
+}
+
+#[test]
+fn digits_show_each_chapters_stage_of_the_picture() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    for (digit, index) in ('1'..='9').zip([1, 2, 3, 4, 5, 6, 7, 8, 0]) {
+        let view = &STAGE.views[index];
+        let setting = view.default_setting();
+        let count = views::samples(index, setting);
+        shown.press(
+            digit.into(),
+            &[
+                &format!("| {} |", view.name),
+                &format!("{count} of {count} samples"),
+            ],
+        );
+        let expected = shown.painted(view.name, setting, SMALL).levels;
+        shown.assert_shows(view.name, &expected);
+    }
+    shown.press('6'.into(), &["| reflection | depth 64 bounces |"]);
+    shown.press(DOWN, &["| reflection | depth 63 bounces |"]);
+    shown.press(TAB, &["| refraction | index 1.5 |"]);
+    shown.press('6'.into(), &["| reflection | depth 6"]);
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn a_click_explains_a_pixel_and_draws_its_path() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let plain = by_the_book(Walker::START, 4, SMALL);
+    shown.assert_shows("the refined picture", &plain);
+    shown.click(240, 195);
+    let mut levels = plain.clone();
+    let (scene, camera) = (still_life_with_glass(GLASS, AIR), Walker::START.camera());
+    let pixel = canvas::Pixel {
+        x: 240,
+        y: 195,
+        size: SMALL,
+    };
+    let reach = Reach::new(MAX_DEPTH);
+    let explained =
+        ::interactive::explain::explain(&scene, &camera, pixel.centre(), reach);
+    ::interactive::overlay::draw(&explained, &camera, SMALL, &mut levels);
+    assert!(levels != plain);
+    shown.assert_shows("the path over the picture", &levels);
+    // The key of the view that is shown takes it away.
+    screen.key('9'.into(), KEY_PRESS);
+    shown.assert_shows("the picture without it", &plain);
+    screen.key('9'.into(), KEY_RELEASE);
+    let (stdout, stderr) = shown.close_with_escape();
+    let printed = Command::new(INTERACTIVE.0)
+        .args(SMALL_ARGUMENTS)
+        .args(["--trace", "240,195"])
+        .output();
+    let printed = printed.expect("the binary runs").stdout;
+    assert!(stdout.contains("glass"), "{stdout}");
+    assert_eq!(stdout, String::from_utf8(printed).expect("UTF-8"));
+    assert_eq!(stderr, "");
+}
+
+#[test]
+fn frozen_nothing_changes_until_it_is_not() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let plain = by_the_book(Walker::START, 4, SMALL);
+    shown.assert_shows("the refined picture", &plain);
+    shown.press(' '.into(), &["| frozen"]);
+    for key in ['w'.into(), '5'.into(), UP] {
+        screen.key(key, KEY_PRESS);
+        sleep(Duration::from_millis(150));
+        screen.key(key, KEY_RELEASE);
+    }
+    let title = screen.title(shown.window).expect("a title");
+    assert!(
+        title.contains("| still-life | n 4 |") && title.ends_with("| frozen"),
+        "{title}"
+    );
+    shown.assert_shows("the same picture", &plain);
+    screen.key(' '.into(), KEY_PRESS);
+    wait_for("no longer frozen", || {
+        (!screen.title(shown.window)?.contains("frozen")).then_some(())
+    });
+    screen.key(' '.into(), KEY_RELEASE);
+    let (walker, _) = shown.saved(1);
+    assert_eq!(walker, Walker::START);
+    shown.close_with_escape();
+}
+
+#[test]
+fn a_resized_window_has_a_picture_of_its_size() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    for size in [
+        UVec2::new(333, 222),
+        UVec2::new(150, 400),
+        UVec2::ONE,
+        SMALL,
+    ] {
+        shown.resize(size.x, size.y);
+        shown.title_with(&[&format!("| {}x{} |", size.x, size.y), REFINED[0]]);
+        let expected = by_the_book(Walker::START, 4, size);
+        shown.assert_shows(&format!("a picture of {size}"), &expected);
+    }
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn refined_its_painters_sleep() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let process = shown.process.0.id();
+    let tasks = || -> Vec<String> {
+        let tasks = fs::read_dir(format!("/proc/{process}/task")).expect("threads");
+        let id =
+            |task: std::io::Result<fs::DirEntry>| task.expect("a thread").file_name();
+        tasks
+            .map(|task| id(task).to_string_lossy().into_owned())
+            .collect()
+    };
+    let spent = |task: &String| ticks(&format!("/proc/{process}/task/{task}/stat"));
+    // A worker may take a moment to fall asleep.
+    sleep(Duration::from_millis(500));
+    let others: Vec<_> = tasks()
+        .into_iter()
+        .filter(|task| *task != process.to_string())
+        .collect();
+    assert!(!others.is_empty(), "somebody has painted");
+    let before: Vec<_> = others.iter().map(spent).collect();
+    let (main, start) = (spent(&process.to_string()), Instant::now());
+    sleep(Duration::from_secs(2));
+    assert_eq!(others.iter().map(spent).collect::<Vec<_>>(), before);
+    let main = spent(&process.to_string()) - main;
+    let share = main as f64 / start.elapsed().as_secs_f64();
+    writeln!(
+        std::io::stderr(),
+        "refined at 400x300: {share:.1} % of a core"
+    )
+    .expect("stderr");
+    assert_eq!(shown.close_with_escape(), Default::default());
+}
+
+#[test]
+fn it_closes_at_once_while_it_refines() {
+    let Some(screen) = Screen::new() else { return };
+    for escape in [true, false] {
+        let arguments = ["--size", "1280x960", "--knob", "20"];
+        let shown = Shown::new(&screen, INTERACTIVE, &arguments);
+        // Four hundred samples of a million pixels on one thread: it is far from done.
+        shown.title_with(&[" of 400 samples"]);
+        let ended = if escape {
+            shown.close_with_escape()
+        } else {
+            shown.press_close_button();
+            shown.ended()
+        };
+        assert_eq!(ended, Default::default());
+        screen.key(ESCAPE, KEY_RELEASE);
+    }
+}
