@@ -141,9 +141,6 @@ impl Path {
 /// # Panics
 /// If there are fewer levels than pixels.
 pub fn draw(explained: &Explained, camera: &Camera, size: UVec2, levels: &mut [[u8; 3]]) {
-    if size.x == 0 || size.y == 0 {
-        return;
-    }
     let projection = Projection { camera, size };
     let mut path = Path::default();
     path.add(explained, &projection);
