@@ -228,6 +228,26 @@ mod the_path {
         (scene, camera)
     }
 
+    /// The eye's own ray is a point to the eye, and a line to whoever steps aside.
+    #[test]
+    fn from_elsewhere_the_eyes_ray_is_a_line() {
+        let size = UVec2::new(101, 101);
+        let (scene, camera) = above_a_floor(1.0, 0.0);
+        let explained = explain(&scene, &camera, Vec2::new(0.0, 0.5), usual());
+        let ring = places(&drawn(&explained, &camera, size), size);
+        // Half of the picture's half up, in the middle, and no larger than the ring.
+        assert!(ring.iter().all(|place| place.x.abs_diff(50) <= 12));
+        assert!(ring.iter().all(|place| place.y.abs_diff(25) <= 12));
+        for aside in [Vec3::NEG_X, Vec3::X] {
+            let beside = Camera::new(aside, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
+            let line = places(&drawn(&explained, &beside, size), size);
+            // From the side that the eye is on, half down where it leaves the picture, to the same sky.
+            let side = if aside == Vec3::X { 0 } else { 100 };
+            assert!(line.iter().any(|place| place.x == side), "{line:?}");
+            assert!(line.len() > ring.len() + 50, "{}", line.len());
+        }
+    }
+
     /// By symmetry: a floor mirrors the pixel at a height over the horizon to the one as far under it.
     #[test]
     fn a_mirrored_ray_ends_in_the_pixel_of_the_sky_that_it_shows() {

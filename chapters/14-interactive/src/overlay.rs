@@ -42,6 +42,15 @@ impl Projection<'_> {
         let shape = f64::from(self.size.y) / f64::from(self.size.x);
         DVec3::new(f * shape * x, f * y, z)
     }
+
+    /// Where a ray ends, if it was cast: infinitely far away, if it meets nothing.
+    fn end(&self, ray: &Explained) -> Option<DVec3> {
+        match &ray.end {
+            End::Met(met) => Some(self.point(met.point)),
+            End::Background => Some(self.direction(ray.ray.direction.as_dvec3())),
+            End::TooWeak | End::NoBouncesLeft => None,
+        }
+    }
     // ANCHOR_END: projection
 
     // ANCHOR: clip
@@ -93,10 +102,8 @@ struct Path {
 
 impl Path {
     fn add(&mut self, ray: &Explained, projection: &Projection) {
-        let end = match &ray.end {
-            End::Met(met) => projection.point(met.point),
-            End::Background => projection.direction(ray.ray.direction.as_dvec3()),
-            End::TooWeak | End::NoBouncesLeft => return,
+        let Some(end) = projection.end(ray) else {
+            return;
         };
         // A thousandth of the light is not nothing: it shows by a sixth.
         let visible = f64::from(ray.weight).sqrt().sqrt();
@@ -106,8 +113,8 @@ impl Path {
         };
         let from = projection.point(ray.ray.origin);
         match ray.way {
-            // It is a point of the picture.
-            Way::FromTheEye => {}
+            // Seen from the eye that cast it, it is a point, and has no line.
+            Way::FromTheEye => self.rays.extend(segment(from, end, WHITE)),
             Way::Mirrored => self.rays.extend(segment(from, end, MIRRORED)),
             Way::Through => self.rays.extend(segment(from, end, THROUGH)),
         }
@@ -136,7 +143,8 @@ impl Path {
 /// Draws the path of a ray over a picture of `size` pixels: mirrored rays, rays through
 /// clear bodies, and shadow rays, up to the lamp or to what is in the way.
 ///
-/// Draws what is hidden, too. A weak ray is faint; the pixel itself has a ring around it.
+/// Draws what is hidden, too. A weak ray is faint; what the eye saw has a ring around it. The `camera`
+/// need not be the one that cast the ray: from elsewhere, the eye's own ray is a line, too.
 ///
 /// # Panics
 /// If there are fewer levels than pixels.
@@ -164,8 +172,8 @@ pub fn draw(explained: &Explained, camera: &Camera, size: UVec2, levels: &mut [[
             drawn(area.draw(&Circle::new(place, radius, colour.mix(visible).filled())));
         }
     }
-    let seen = projection.direction(explained.ray.direction.as_dvec3());
-    if let Some([place, _]) = projection.clip(seen, seen) {
+    let end = projection.end(explained);
+    if let Some([place, _]) = end.and_then(|end| projection.clip(end, end)) {
         for (colour, width) in [(BLACK, 4), (WHITE, 2)] {
             drawn(area.draw(&Circle::new(place, 8, colour.stroke_width(width))));
         }
