@@ -34,11 +34,9 @@ impl Packet<'_> {
     pub fn at(&self, t: Lanes) -> Vectors {
         self.origin + self.direction * t
     }
-}
-// ANCHOR_END: packet
+    // ANCHOR_END: packet
 
-// ANCHOR: hit
-impl Packet<'_> {
+    // ANCHOR: hit
     /// Of some of the rays, those that meet a sphere.
     #[inline(always)]
     fn hit_sphere(&self, sphere: &Sphere, rays: Lanes, t_max: Lanes) -> Option<Hits> {
@@ -60,6 +58,7 @@ impl Packet<'_> {
     }
 
     /// Of some of the rays that start on a sphere, those that meet it again.
+    #[inline(always)]
     fn other_hit(&self, sphere: &Sphere, rays: Lanes, t_max: Lanes) -> Option<Hits> {
         let oc = self.origin - Vectors::splat(sphere.centre);
         let d_dot_d = self.direction.dot(self.direction);
@@ -78,6 +77,7 @@ impl Packet<'_> {
         }
     }
 
+    #[inline(always)]
     fn hit_plane(&self, plane: &Plane, rays: Lanes, t_max: Lanes) -> Option<Hits> {
         let normal = Vectors::splat(plane.normal);
         let to_plane = Vectors::splat(plane.point) - self.origin;
@@ -98,13 +98,13 @@ impl Packet<'_> {
             Shape::Plane(_) => None,
         }
     }
-}
-// ANCHOR_END: hit
+    // ANCHOR_END: hit
 
-// ANCHOR: nearest
-impl Packet<'_> {
-    /// The index of the object that each ray meets first, −1 for none, and where.
-    pub fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Hits) {
+    // ANCHOR: nearest
+    /// The index of the object that each ray meets first, −1 for none; how far away that
+    /// is, and the normal there.
+    #[inline]
+    pub fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Lanes, Vectors) {
         let mut nearest = Lanes::splat(-1.0);
         let mut t = Lanes::splat(FARTHEST);
         let mut normal = self.direction;
@@ -115,11 +115,11 @@ impl Packet<'_> {
                 normal = hits.met.select(hits.normal, normal);
             }
         }
-        let met = nearest.simd_ge(0.0);
-        (nearest, Hits { met, t, normal })
+        (nearest, t, normal)
     }
 
     /// A mask: the rays that nothing is in the way of before `t_max`.
+    #[inline]
     pub fn free(&self, objects: &[Object<Material>], t_max: Lanes) -> Lanes {
         let mut free = self.live;
         for object in objects {

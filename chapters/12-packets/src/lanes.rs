@@ -2,7 +2,7 @@
 
 // ANCHOR: lanes
 use glam::Vec3;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 use wide::Select;
 
 /// Sixteen numbers: one register of AVX-512, two of AVX2, four of any other machine.
@@ -29,7 +29,7 @@ pub struct Vectors {
 impl Vectors {
     /// The same vector in every lane.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn splat(vector: Vec3) -> Self {
         Self {
             x: Lanes::splat(vector.x),
@@ -38,7 +38,7 @@ impl Vectors {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn zip(self, other: Self, f: impl Fn(Lanes, Lanes) -> Lanes) -> Self {
         Self {
             x: f(self.x, other.x),
@@ -49,35 +49,34 @@ impl Vectors {
 
     /// The dot products.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn dot(self, other: Self) -> Lanes {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// The lengths.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn length(self) -> Lanes {
         self.dot(self).sqrt()
     }
 
     /// The unit vectors, as glam makes them: one division, and three products.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn normalize(self) -> Self {
         self * (1.0 / self.length())
     }
 
     /// A mask: where chapter 1's `unit` finds a unit vector.
     #[must_use]
-    #[inline(always)]
+    #[inline]
     pub fn have_unit(self) -> Lanes {
         let squared = self.dot(self);
         squared.simd_ge(f32::MIN_POSITIVE) & squared.simd_lt(f32::INFINITY)
     }
 
     /// Puts the first lanes into their places, [`LANES`] at the most.
-    #[inline(always)]
     pub fn write(self, places: &mut [Vec3]) {
         let [x, y, z] = [self.x, self.y, self.z].map(Lanes::to_array);
         for (lane, place) in places.iter_mut().enumerate() {
@@ -88,48 +87,33 @@ impl Vectors {
 // ANCHOR_END: vectors
 
 // ANCHOR: operators
-impl Add for Vectors {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
+/// A number stands for a vector of three of it.
+impl<T: Into<Lanes>> From<T> for Vectors {
+    #[inline]
+    fn from(number: T) -> Self {
+        let [x, y, z] = [number.into(); 3];
+        Self { x, y, z }
     }
 }
 
-impl Sub for Vectors {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
+macro_rules! operator {
+    ($Operator:ident, $function:ident, $sign:tt) => {
+        impl<T: Into<Self>> $Operator<T> for Vectors {
+            type Output = Self;
+            #[inline]
+            fn $function(self, other: T) -> Self {
+                self.zip(other.into(), |a, b| a $sign b)
+            }
+        }
+    };
 }
-
-impl Neg for Vectors {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.zip(self, |a, _| -a)
-    }
-}
-
-impl Mul<Lanes> for Vectors {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: Lanes) -> Self {
-        self.zip(self, |a, _| a * factor)
-    }
-}
-
-impl Div<f32> for Vectors {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, divisor: f32) -> Self {
-        self.zip(self, |a, _| a / divisor)
-    }
-}
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);
 
 impl Select<Vectors> for Lanes {
-    #[inline(always)]
+    #[inline]
     fn select(self, if_true: Vectors, if_false: Vectors) -> Vectors {
         if_true.zip(if_false, |a, b| self.select(a, b))
     }

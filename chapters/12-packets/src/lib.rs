@@ -12,7 +12,6 @@ pub use views::STAGE;
 
 use canvas::{Pixel, count_rays};
 use glam::{UVec2, Vec2, Vec3};
-use hits::Hits;
 use plane_hit::Object;
 use ray_casting::Camera;
 use reflection::Reach;
@@ -40,61 +39,72 @@ fn count(live: Lanes) {
 }
 // ANCHOR_END: count
 
-// ANCHOR: answer
-/// What the rays bring back that have met one and the same object.
-fn answer(
-    scene: &Scene<Material>,
-    object: &Object<Material>,
-    rays: &Packet,
-    hits: Hits,
-    reach: Reach,
-    weight: Lanes,
-) -> Vectors {
-    let Material { phong, body } = &object.material;
-    let Hits { met, t, normal } = hits;
-    let incident = rays.direction;
-    let point = rays.at(t);
-    let origin = on_the_surface(&object.shape, point, normal);
-    let leave = |direction: Vectors, live: Lanes| {
+// ANCHOR: met
+/// Where rays of a packet have met one and the same object.
+struct Met<'a> {
+    object: &'a Object<Material>,
+    /// A mask: which rays have.
+    live: Lanes,
+    incident: Vectors,
+    point: Vectors,
+    /// The point, put back onto the surface.
+    origin: Vectors,
+    normal: Vectors,
+}
+
+impl<'a> Met<'a> {
+    /// The rays that leave the object, as chapter 10's `from_the_surface` has them.
+    fn leave(&self, direction: Vectors, live: Lanes) -> Packet<'a> {
         count(live);
-        let inwards = normal.dot(direction).simd_lt(0.0);
-        let from = Some(object);
         Packet {
-            origin,
+            origin: self.origin,
             direction,
-            from,
-            inwards,
+            from: Some(self.object),
+            inwards: self.normal.dot(direction).simd_lt(0.0),
             live,
         }
-    };
+    }
+    // ANCHOR_END: met
 
-    let colour = colour(phong.colour, point);
-    let facing = facing(normal, incident);
-    let mut light = colour * Lanes::splat(phong.ambient);
-    for lamp in &scene.lights {
-        let to_light = Vectors::splat(lamp.position) - point;
-        let direction = to_light.normalize();
-        let (lit, is_lit) = lit(phong, colour, incident, facing, direction);
-        let live = met & to_light.have_unit() & is_lit;
-        if live.any() {
-            let shadow_rays = leave(direction, live);
-            let free = shadow_rays.free(&scene.objects, to_light.length());
-            light = free.select(light + lit * Lanes::splat(lamp.intensity), light);
+    // ANCHOR: shade
+    /// The ambient light, and that of every lamp that reaches the points.
+    fn shade(&self, scene: &Scene<Material>) -> Vectors {
+        let phong = &self.object.material.phong;
+        let colour = colour(phong.colour, self.point);
+        let facing = facing(self.normal, self.incident);
+        let mut light = colour * phong.ambient;
+        for lamp in &scene.lights {
+            let to_light = Vectors::splat(lamp.position) - self.point;
+            let direction = to_light.normalize();
+            let (lit, is_lit) = lit(phong, colour, self.incident, facing, direction);
+            let live = self.live & to_light.have_unit() & is_lit;
+            if live.any() {
+                let shadow_rays = self.leave(direction, live);
+                let free = shadow_rays.free(&scene.objects, to_light.length());
+                light = free.select(light + lit * lamp.intensity, light);
+            }
         }
+        light
     }
-    let Some(depth) = reach.depth.checked_sub(1) else {
-        return light;
-    };
-    let reach = Reach { depth, ..reach };
-    for (share, direction) in ways_on(body, incident, normal) {
-        let weight = weight * share;
-        let live = met & weight.simd_gt(reach.least_weight);
-        if live.any() {
-            let seen = trace(scene, &leave(direction, live), reach, weight);
-            light = live.select(light + seen * share, light);
+    // ANCHOR_END: shade
+
+    // ANCHOR: answer
+    /// What the rays bring back: the shaded light, and what comes on the two ways on.
+    fn answer(&self, scene: &Scene<Material>, reach: Reach, weight: Lanes) -> Vectors {
+        let mut light = self.shade(scene);
+        let body = &self.object.material.body;
+        for (share, direction) in ways_on(body, self.incident, self.normal) {
+            let weight = weight * share;
+            let live = self.live & weight.simd_gt(reach.least_weight);
+            if reach.depth > 0 && live.any() {
+                let depth = reach.depth - 1;
+                let onward = self.leave(direction, live);
+                let seen = trace(scene, &onward, Reach { depth, ..reach }, weight);
+                light = live.select(light + seen * share, light);
+            }
         }
+        light
     }
-    light
 }
 // ANCHOR_END: answer
 
@@ -110,16 +120,24 @@ pub fn trace(
     reach: Reach,
     weight: Lanes,
 ) -> Vectors {
-    let (nearest, hits) = rays.nearest(&scene.objects);
+    let (nearest, t, normal) = rays.nearest(&scene.objects);
     let mut light = Vectors::splat(scene.background);
-    if hits.met.none() {
+    if nearest.simd_lt(0.0).all() {
         return light;
     }
+    let point = rays.at(t);
     for (index, object) in scene.objects.iter().enumerate() {
-        let met = nearest.simd_eq(index as f32);
-        if met.any() {
-            let seen = answer(scene, object, rays, Hits { met, ..hits }, reach, weight);
-            light = met.select(seen, light);
+        let live = nearest.simd_eq(index as f32);
+        if live.any() {
+            let met = Met {
+                object,
+                live,
+                incident: rays.direction,
+                point,
+                origin: on_the_surface(&object.shape, point, normal),
+                normal,
+            };
+            light = live.select(met.answer(scene, reach, weight), light);
         }
     }
     light

@@ -8,15 +8,14 @@ use shading::{Phong, power};
 // ANCHOR: shading
 /// The normals on the side that rays along `incident` come from.
 pub fn facing(normal: Vectors, incident: Vectors) -> Vectors {
-    normal.dot(incident).simd_gt(0.0).select(-normal, normal)
+    let is_behind = normal.dot(incident).simd_gt(0.0);
+    is_behind.select(normal * -1.0, normal)
 }
 
 /// The points, put back onto the surface.
 pub fn on_the_surface(shape: &Shape, point: Vectors, outward: Vectors) -> Vectors {
     match shape {
-        Shape::Sphere(sphere) => {
-            Vectors::splat(sphere.centre) + outward * Lanes::splat(sphere.radius)
-        }
+        Shape::Sphere(sphere) => Vectors::splat(sphere.centre) + outward * sphere.radius,
         Shape::Plane(plane) => {
             point - outward * (point - Vectors::splat(plane.point)).dot(outward)
         }
@@ -46,10 +45,9 @@ pub fn lit(
     let cos_theta_l = normal.dot(to_light);
     let diffuse = colour * (surface.diffuse * cos_theta_l);
     let mirrored = normal * (2.0 * cos_theta_l) - to_light;
-    let cos_alpha = mirrored.dot(-incident);
-    let [x, y, z] = [surface.specular * power(cos_alpha, surface.shininess); 3];
-    let is_shiny = cos_alpha.simd_gt(0.0);
-    let lit = is_shiny.select(diffuse + Vectors { x, y, z }, diffuse);
+    let cos_alpha = -mirrored.dot(incident);
+    let specular = surface.specular * power(cos_alpha, surface.shininess);
+    let lit = cos_alpha.simd_gt(0.0).select(diffuse + specular, diffuse);
     let is_black = lit.x.simd_eq(0.0) & lit.y.simd_eq(0.0) & lit.z.simd_eq(0.0);
     (lit, cos_theta_l.simd_gt(0.0) & !is_black)
 }
@@ -64,10 +62,10 @@ pub fn ways_on(
 ) -> [(Lanes, Vectors); 2] {
     let along_normal = outward * (2.0 * outward.dot(incident));
     let mirrored = (incident - along_normal).normalize();
-    let none = Lanes::splat(0.0);
     match *body {
         Body::Opaque { reflectivity } => {
-            [(Lanes::splat(reflectivity), mirrored), (none, incident)]
+            let [share, none] = [reflectivity, 0.0].map(Lanes::splat);
+            [(share, mirrored), (none, incident)]
         }
         Body::Clear { inside, outside } => {
             let [inside, outside] = [inside, outside].map(Lanes::splat);
@@ -77,13 +75,8 @@ pub fn ways_on(
             let normal = facing(outward, incident);
             let (refracted, goes_on) = refract(incident, normal, eta_i / eta_t);
             let share = fresnel(-normal.dot(incident), eta_i, eta_t);
-            [
-                (goes_on.select(share, Lanes::splat(1.0)), mirrored),
-                (
-                    goes_on.select(1.0 - share, none),
-                    goes_on.select(refracted, incident),
-                ),
-            ]
+            let share = goes_on.select(share, Lanes::splat(1.0));
+            [(share, mirrored), (1.0 - share, refracted)]
         }
     }
 }
