@@ -194,6 +194,41 @@ fn so_have_the_strangest_scenes() {
     with(&|scene| scene.objects[3].material.phong.diffuse = 0.0);
 }
 
+/// Equal indices mirror nothing: so near to grazing, sin²θ rounds to 1, and the formula alone would mirror all.
+#[test]
+fn so_has_a_border_of_equal_indices_at_grazing_incidence() {
+    let plane = |height: f32, ambient: f32, body: Body| {
+        let point = Vec3::new(0.0, height, 0.0);
+        Object {
+            name: "plane",
+            shape: Shape::Plane(Plane::new(point, Vec3::Y).expect("a plane")),
+            material: Material {
+                phong: Phong {
+                    colour: Pattern::Plain(Vec3::X),
+                    ambient,
+                    diffuse: 0.0,
+                    specular: 0.0,
+                    shininess: 1,
+                },
+                body,
+            },
+        }
+    };
+    let clear = Body::Clear {
+        inside: GLASS,
+        outside: GLASS,
+    };
+    let floor = Body::Opaque { reflectivity: 0.0 };
+    let scene = Scene {
+        objects: vec![plane(-1.0, 0.0, clear), plane(-2.0, 1.0, floor)],
+        lights: vec![],
+        background: Vec3::Z,
+    };
+    let towards = Vec3::new(0.0, -1.0 / 8192.0, 1.0);
+    let camera = Camera::new(Vec3::ZERO, towards, Vec3::Y, 1.0).expect("a camera");
+    assert_same("grazing", (&scene, camera), usual(), 1, UVec2::new(33, 9));
+}
+
 #[test]
 fn so_have_a_thousand_random_scenes() {
     (0..1000_u64).into_par_iter().for_each(|seed| {
