@@ -46,7 +46,7 @@ impl Packet<'_> {
         let closest = oc + self.direction * t_closest;
         let half_chord_squared = sphere.radius * sphere.radius - closest.dot(closest);
         let met = rays & half_chord_squared.simd_ge(0.0);
-        // The `if` that pays: most packets miss most spheres.
+        // An `if` that pays: most packets miss most spheres.
         if met.none() {
             return None;
         }
@@ -54,7 +54,7 @@ impl Packet<'_> {
         let near = t_closest - t_half;
         let is_near = near.simd_gt(0.0) & near.simd_lt(t_max);
         let t = is_near.select(near, t_closest + t_half);
-        Some(self.hits_at(sphere, met, t, t_max))
+        self.hits_at(sphere, met, t, t_max)
     }
 
     /// Of some of the rays that start on a sphere, those that meet it again.
@@ -63,18 +63,27 @@ impl Packet<'_> {
         let oc = self.origin - Vectors::splat(sphere.centre);
         let d_dot_d = self.direction.dot(self.direction);
         let t = -2.0 * self.direction.dot(oc) / d_dot_d;
-        Some(self.hits_at(sphere, rays, t, t_max))
+        self.hits_at(sphere, rays, t, t_max)
     }
 
     #[inline(always)]
-    fn hits_at(&self, sphere: &Sphere, rays: Lanes, t: Lanes, t_max: Lanes) -> Hits {
+    fn hits_at(
+        &self,
+        sphere: &Sphere,
+        rays: Lanes,
+        t: Lanes,
+        t_max: Lanes,
+    ) -> Option<Hits> {
+        let met = rays & t.simd_gt(0.0) & t.simd_lt(t_max);
+        if met.none() {
+            return None;
+        }
         let outward = (self.at(t) - Vectors::splat(sphere.centre)) / sphere.radius;
-        let is_ahead = t.simd_gt(0.0) & t.simd_lt(t_max);
-        Hits {
-            met: rays & is_ahead & outward.have_unit(),
+        Some(Hits {
+            met: met & outward.have_unit(),
             t,
             normal: outward.normalize(),
-        }
+        })
     }
 
     #[inline(always)]
@@ -103,6 +112,7 @@ impl Packet<'_> {
     // ANCHOR: nearest
     /// The index of the object that each ray meets first, −1 for none; how far away that
     /// is, and the normal there.
+    // Not `always`: unoptimised, 64 bounces would no longer fit onto a thread's stack.
     #[inline]
     pub fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Lanes, Vectors) {
         let mut nearest = Lanes::splat(-1.0);

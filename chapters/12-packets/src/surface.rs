@@ -55,6 +55,7 @@ pub fn lit(
 
 // ANCHOR: ways
 /// The two ways on which light may go on, each with the share that takes it.
+#[inline]
 pub fn ways_on(
     body: &Body,
     incident: Vectors,
