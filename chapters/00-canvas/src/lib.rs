@@ -139,15 +139,9 @@ pub struct Row {
 
 impl Row {
     fn paint(picture: &Picture, size: UVec2, y: u32) -> Self {
-        let rays_before = rays_so_far();
         let mut light = vec![Vec3::ZERO; size.x as usize];
-        picture.paint(Pixel { x: 0, y, size }, &mut light);
-        debug_assert!(
-            light.iter().all(|light| light.is_finite()),
-            "row {y} has a pixel that is not finite"
-        );
-        let levels = light.iter().map(|&light| encode(light)).collect();
-        let rays = rays_so_far() - rays_before;
+        let mut levels = vec![[0; 3]; size.x as usize];
+        let rays = paint_row(picture, size, y, &mut light, &mut levels);
         Self {
             y,
             light,
@@ -155,6 +149,26 @@ impl Row {
             rays,
         }
     }
+}
+
+/// Paints a row into its place; returns how many rays it took.
+fn paint_row(
+    picture: &Picture,
+    size: UVec2,
+    y: u32,
+    light: &mut [Vec3],
+    levels: &mut [[u8; 3]],
+) -> u64 {
+    let rays_before = rays_so_far();
+    picture.paint(Pixel { x: 0, y, size }, light);
+    debug_assert!(
+        light.iter().all(|light| light.is_finite()),
+        "row {y} has a pixel that is not finite"
+    );
+    for (level, light) in levels.iter_mut().zip(light) {
+        *level = encode(*light);
+    }
+    rays_so_far() - rays_before
 }
 // ANCHOR_END: row
 
@@ -188,11 +202,12 @@ impl Canvas {
     #[must_use]
     pub fn paint(picture: &Picture, size: UVec2) -> Self {
         let mut canvas = Self::black(size);
-        let rows: Vec<Row> = (0..size.y)
-            .into_par_iter()
-            .map(|y| Row::paint(picture, size, y))
-            .collect();
-        rows.iter().for_each(|row| canvas.put(row));
+        let width = size.x as usize;
+        let rows = canvas.light.par_chunks_mut(width);
+        let rows = rows.zip(canvas.levels.par_chunks_mut(width)).enumerate();
+        canvas.rays = rows
+            .map(|(y, (light, levels))| paint_row(picture, size, y as u32, light, levels))
+            .sum();
         canvas
     }
 
