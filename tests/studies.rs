@@ -29,7 +29,7 @@ mod speed_and_accuracy_studies {
     }
 
     studies!(
-        sphere plane bounces refraction fresnel highlight recursion sampling acne growth plan
+        sphere plane bounces refraction fresnel highlight recursion sampling acne growth packets plan
     );
 
     /// The yardstick of growth is none if it finds anything else.

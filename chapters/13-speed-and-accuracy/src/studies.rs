@@ -5,6 +5,7 @@ pub mod bounces;
 pub mod fresnel;
 pub mod growth;
 pub mod highlight;
+pub mod packets;
 pub mod plan;
 pub mod plane;
 pub mod recursion;
@@ -22,7 +23,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
 /// Every study, in the order of the chapters that they belong to.
-pub const STUDIES: [&Study; 11] = [
+pub const STUDIES: [&Study; 12] = [
     &sphere::STUDY,
     &plane::STUDY,
     &bounces::STUDY,
@@ -33,6 +34,7 @@ pub const STUDIES: [&Study; 11] = [
     &sampling::STUDY,
     &acne::STUDY,
     &growth::STUDY,
+    &packets::STUDY,
     &plan::STUDY,
 ];
 

@@ -3,8 +3,8 @@
 use crate::chart;
 use crate::plan::{Plan, WISH};
 use crate::studies::{
-    acne, bounces, fresnel, growth, highlight, plan, plane, recursion, refraction,
-    sampling, sphere,
+    acne, bounces, fresnel, growth, highlight, packets, plan, plane, recursion,
+    refraction, sampling, sphere,
 };
 use crate::study::{Study, Table};
 use ::refraction::views::{AIR, GLASS, still_life_with_glass};
@@ -40,6 +40,7 @@ pub const STAGE: Stage = Stage {
         chart_view(&sampling::STUDY, |_| charts(&sampling::STUDY)),
         chart_view(&acne::STUDY, |_| charts(&acne::STUDY)),
         chart_view(&growth::STUDY, |_| charts(&growth::STUDY)),
+        chart_view(&packets::STUDY, |_| charts(&packets::STUDY)),
         chart_view(&plan::STUDY, |_| charts(&plan::STUDY)),
     ],
 };
