@@ -500,6 +500,26 @@ fn trace_explains_a_pixel_and_opens_no_window() {
 }
 
 #[test]
+fn peers_are_not_looked_for_where_there_is_no_source_or_timed_in_a_debug_build() {
+    let folder = temp();
+    let refused = |arguments: &[&str], code, words: &[&str]| {
+        let mut command = command(SPEED_AND_ACCURACY, arguments, folder.path());
+        assert_refused(&mut command, folder.path(), code, words);
+    };
+    for nowhere in ["nowhere", ".", "", "-1", "two\nlines"] {
+        let words = ["tinyraytracer.cpp", "or none"];
+        refused(&["--peers", nowhere], 1, &words);
+    }
+    refused(&["--peers"], 2, &["--peers <FOLDER>", "--help"]);
+    refused(&["--peers", "none", "--list"], 2, &["--peers", "--list"]);
+    // In release it would measure, for minutes.
+    if cfg!(debug_assertions) {
+        let words = ["debug build", "cargo run --release"];
+        refused(&["--peers", "none"], 2, &words);
+    }
+}
+
+#[test]
 fn what_cannot_be_saved_is_refused_with_code_1_before_anything_is_written() {
     let folder = temp();
     let at = |name: &str| folder.path().join(name);
@@ -627,9 +647,8 @@ mod unix {
         let folder = temp();
         let odd = OsStr::from_bytes(b"\xff.png");
         let options = ["--view", "--knob", "--size"].map(|option| (SHADOWS, option));
-        for (binary, option) in
-            options.into_iter().chain([(SPEED_AND_ACCURACY, "--study")])
-        {
+        let tasks = ["--study", "--peers"].map(|task| (SPEED_AND_ACCURACY, task));
+        for (binary, option) in options.into_iter().chain(tasks) {
             let arguments = [OsStr::new(option), odd];
             let mut command = command(binary, &arguments, folder.path());
             assert_refused(&mut command, folder.path(), 2, &["UTF-8", "--help"]);

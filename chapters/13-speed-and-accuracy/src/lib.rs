@@ -4,6 +4,7 @@
 
 pub mod chart;
 pub mod patterns;
+pub mod peers;
 pub mod pictures;
 pub mod plan;
 pub mod sampling;

@@ -14,9 +14,10 @@ pub mod sampling;
 pub mod sphere;
 
 use crate::chart;
+use crate::peers::PEERS_TASK;
 use crate::plan::WISH;
 use crate::scenes;
-use crate::study::{Clock, Study, Table, machine};
+use crate::study::{Clock, Study, Table, machine, only_in_release};
 use canvas::{Canvas, Failure, Task};
 use glam::UVec2;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -39,7 +40,7 @@ pub const STUDIES: [&Study; 12] = [
 ];
 
 /// What the chapter's command line can do beside showing its views.
-pub const TASKS: [Task; 2] = [STUDY_TASK, PLAN_TASK];
+pub const TASKS: [Task; 3] = [STUDY_TASK, PLAN_TASK, PEERS_TASK];
 
 const STUDY_TASK: Task = Task {
     flag: "study",
@@ -81,12 +82,7 @@ pub fn measure(name: &str) -> Result<(), Failure> {
         "all" => STUDIES.to_vec(),
         _ => vec![find(name).map_err(|line| Failure::Usage(line + ", or all"))?],
     };
-    if cfg!(debug_assertions) {
-        return Err(Failure::Usage(
-            "the times of a debug build mean nothing; measure with cargo run --release"
-                .to_string(),
-        ));
-    }
+    only_in_release()?;
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}")
         .expect("a valid template");
     let progress = ProgressBar::new(chosen.len() as u64).with_style(style);

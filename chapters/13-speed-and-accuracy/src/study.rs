@@ -1,6 +1,7 @@
 //! What a study is, how it measures, and the table it leaves.
 
 use crate::chart::Chart;
+use canvas::Failure;
 use glam::DVec3;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -366,6 +367,20 @@ pub fn three_digits(x: Option<f64>) -> String {
     } else {
         format!("{value:e}")
     }
+}
+
+/// Refuses to measure in a debug build.
+///
+/// # Errors
+/// There.
+pub fn only_in_release() -> Result<(), Failure> {
+    if cfg!(debug_assertions) {
+        return Err(Failure::Usage(
+            "the times of a debug build mean nothing; measure with cargo run --release"
+                .to_string(),
+        ));
+    }
+    Ok(())
 }
 
 /// What the times are measured on: the processor, and what the compiler builds for.
