@@ -24,7 +24,7 @@ use std::time::Duration;
 // ANCHOR_END: head
 
 // ANCHOR: walker
-/// Who walks: where the eye is, where it looks, and how far it can see into the distance.
+/// Who walks: where the eye is, where it looks, and by which focal length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walker {
     eye: Vec3,
