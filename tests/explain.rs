@@ -37,7 +37,7 @@ fn bits(light: Vec3) -> [u32; 3] {
     light.to_array().map(f32::to_bits)
 }
 
-mod the_twin {
+mod interactive_twin {
     use super::*;
 
     /// Every pixel has the light that the explanation arrives at, and took as many rays.
@@ -154,7 +154,7 @@ mod the_twin {
 }
 
 #[test]
-fn the_trees_are_those_in_the_book() {
+fn interactive_trees_are_those_in_the_book() {
     let size = UVec2::new(800, 600);
     let (scene, camera) = still_life();
     let mut numbers = Numbers::default();
@@ -170,7 +170,7 @@ fn the_trees_are_those_in_the_book() {
     numbers.check("14-interactive-trees");
 }
 
-mod the_path {
+mod interactive_path {
     use super::*;
 
     const GREY: [u8; 3] = [128; 3];

@@ -47,12 +47,12 @@ static THRESHOLDS: LazyLock<[f32; 255]> = LazyLock::new(|| {
 // ANCHOR_END: thresholds
 
 // ANCHOR: encode
-/// How many equal parts of [0, 1) the index has: enough for no part to hold more than
-/// four thresholds.
-const PARTS: usize = 1024;
+/// How many equal parts of [0, 1) the index has: enough for no part to hold more than one
+/// threshold, which are at least 1 / (12.92 · 255) from each other.
+const PARTS: usize = 4096;
 
-/// `INDEX[i]` is how many thresholds the light i / `PARTS` reaches: where the search may
-/// start.
+/// `INDEX[i]` is how many thresholds the light i / `PARTS` reaches: where the search
+/// starts, and a step further ends.
 static INDEX: LazyLock<[u8; PARTS]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
         let light = i as f32 / PARTS as f32;
@@ -64,14 +64,11 @@ fn encode_channel(light: f32) -> u8 {
     if !(light > 0.0) {
         return 0;
     }
-    if light >= 1.0 {
+    if light >= THRESHOLDS[254] {
         return 255;
     }
-    let mut level = INDEX[(light * PARTS as f32) as usize];
-    while level < 255 && THRESHOLDS[level as usize] <= light {
-        level += 1;
-    }
-    level
+    let level = INDEX[(light * PARTS as f32) as usize];
+    level + u8::from(THRESHOLDS[level as usize] <= light)
 }
 
 /// Encodes linear light for a screen: sRGB, 0 to 255, correctly rounded.

@@ -130,8 +130,9 @@ impl FromStr for Walker {
         walker.ok_or_else(|| {
             let [shortest, longest] = FOCAL_LENGTHS;
             format!(
-                "'{text}' is no camera; write seven numbers, like {}: the eye, up to {WORLD} from 0, the \
-                 direction, not straight up or down, and the focal length, {shortest} to {longest}",
+                "'{text}' is no camera; write seven numbers, like {}: the eye, up to \
+                 {WORLD} from 0, the direction, not straight up or down, and the focal \
+                 length, {shortest} to {longest}",
                 Self::START
             )
         })

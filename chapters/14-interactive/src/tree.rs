@@ -71,7 +71,11 @@ fn write_met(f: &mut Formatter, met: &Met, indent: &str) -> Result {
     let [colour, own] = [colour, met.own].map(Vector);
     write!(f, "\n{indent}{branch}colour {colour}, own light {own}")?;
     for (i, lamp) in met.lamps.iter().enumerate() {
-        f.write_str(if i == 0 { ", lamps: " } else { ", " })?;
+        if i == 0 {
+            write!(f, "\n{indent}{branch}lamps: ")?;
+        } else {
+            f.write_str(", ")?;
+        }
         match lamp.sight {
             Sight::Reached => f.write_str("reached"),
             Sight::Blocked(by, _) => write!(f, "blocked by {}", by.name),

@@ -23,7 +23,7 @@ pub const STAGE: Stage = Stage {
     views: &[
         View {
             name: "still-life",
-            caption: "The still life, finished: n × n rays for every pixel, and all that the book has told of them.",
+            caption: "The still life, finished: n × n rays for every pixel, and none that starts at the wrong place.",
             knob: Some(n(4, &[])),
             picture: |n| whole(0, Walker::START.camera(), n),
         },
