@@ -41,8 +41,14 @@ impl Packet<'_> {
     #[inline(always)]
     fn hit_sphere(&self, sphere: &Sphere, rays: Lanes, t_max: Lanes) -> Option<Hits> {
         let oc = self.origin - Vectors::splat(sphere.centre);
+        let b = self.direction.dot(oc);
+        // The slide's discriminant, with more room than rounding needs: a sure miss costs no division.
+        let outside = 0.99999 * oc.dot(oc) - sphere.radius * sphere.radius;
+        if (rays & (b * b).simd_ge(outside)).none() {
+            return None;
+        }
         let d_dot_d = self.direction.dot(self.direction);
-        let t_closest = -self.direction.dot(oc) / d_dot_d;
+        let t_closest = -b / d_dot_d;
         let closest = oc + self.direction * t_closest;
         let half_chord_squared = sphere.radius * sphere.radius - closest.dot(closest);
         let met = rays & half_chord_squared.simd_ge(0.0);
