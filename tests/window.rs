@@ -276,6 +276,16 @@ impl<'a> Shown<'a> {
         self.ended()
     }
 
+    /// The same, by the close button if not by Escape.
+    #[track_caller]
+    fn ended_by(self, escape: bool) -> (String, String) {
+        if escape {
+            return self.close_with_escape();
+        }
+        self.press_close_button();
+        self.ended()
+    }
+
     /// The window's pixels as they are on the screen, row by row; red, green, blue.
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         let (x, window) = (&self.screen.x, self.window);
@@ -482,13 +492,7 @@ fn it_ends_at_once_in_the_middle_of_a_picture() {
             pixels.iter().any(|&pixel| pixel != [0; 3]).then_some(())
         });
         shown.title_with(&["| painting"]);
-        let ended = if escape {
-            shown.close_with_escape()
-        } else {
-            shown.press_close_button();
-            shown.ended()
-        };
-        assert_eq!(ended, Default::default());
+        assert_eq!(shown.ended_by(escape), Default::default());
         screen.key(ESCAPE, KEY_RELEASE);
     }
 }

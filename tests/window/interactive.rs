@@ -12,6 +12,8 @@ const INTERACTIVE: (&str, &Stage) = (env!("CARGO_BIN_EXE_14-interactive"), &STAG
 /// How far a step leads where it should.
 type Towards = fn(glam::Vec3, &ray_casting::Camera) -> f32;
 
+const HOME: u32 = 0xff50;
+
 /// The title when a picture of 4 × 4 samples is done.
 const REFINED: [&str; 1] = ["16 of 16 samples"];
 
@@ -141,6 +143,11 @@ fn keys_walk_and_what_is_saved_there_can_be_drawn_again() {
         assert!(pixels == expected.as_flattened(), "{key}");
         before = after;
     }
+    // And home again.
+    screen.key(HOME, KEY_PRESS);
+    let start = by_the_book(Walker::START, 4, SMALL);
+    shown.assert_shows("the start", &start);
+    screen.key(HOME, KEY_RELEASE);
     let (stdout, stderr) = shown.close_with_escape();
     assert_eq!(stderr, "");
     let lines: Vec<_> = stdout.lines().collect();
@@ -284,6 +291,8 @@ fn frozen_nothing_changes_until_it_is_not() {
     let plain = by_the_book(Walker::START, 4, SMALL);
     shown.assert_shows("the refined picture", &plain);
     shown.press(' '.into(), &["| frozen"]);
+    // A drag turns nothing, neither now nor later.
+    shown.drag((200, 150), (120, 150));
     for key in ['w'.into(), '5'.into(), UP] {
         screen.key(key, KEY_PRESS);
         sleep(Duration::from_millis(150));
@@ -368,13 +377,7 @@ fn it_closes_at_once_while_it_refines() {
         let shown = Shown::new(&screen, INTERACTIVE, &arguments);
         // Four hundred samples of a million pixels on one thread: it is far from done.
         shown.title_with(&[" of 400 samples"]);
-        let ended = if escape {
-            shown.close_with_escape()
-        } else {
-            shown.press_close_button();
-            shown.ended()
-        };
-        assert_eq!(ended, Default::default());
+        assert_eq!(shown.ended_by(escape), Default::default());
         screen.key(ESCAPE, KEY_RELEASE);
     }
 }

@@ -16,8 +16,8 @@ use std::time::Duration;
 pub fn obey() -> Result<(), Failure> {
     let command = canvas::command(&STAGE)
         .after_help(
-            "In the window: W A S D move, R F rise and sink, the mouse turns (drag), its wheel and + - change the focal \
-             length, 1-9 and Tab change the view, Up and Down turn the knob, a click explains a pixel, Space freezes, \
+            "In the window: W A S D move, R F rise and sink, Home leads back, the mouse turns (drag), its wheel and + - \
+             change the focal length, 1-9 and Tab change the view, Up and Down turn the knob, a click explains a pixel, Space freezes, \
              P saves a PNG, Esc closes.",
         )
         .args([

@@ -72,22 +72,30 @@ impl Walker {
             .expect("`new` has tried it")
     }
 
-    /// So many steps to the right, up, and ahead; ahead is level, wherever we look. Stays
-    /// at the world's end.
+    /// So many steps to the right, up, and ahead; ahead is level, wherever we look.
+    /// Leaves out those that lead beyond the world's end.
     #[must_use]
     pub fn moved(self, steps: Vec3) -> Self {
         let right = self.camera().right;
         let ahead = right.cross(Vec3::Y);
-        let eye = self.eye + steps.x * right + steps.y * Vec3::Y + steps.z * ahead;
-        Self::new(eye, self.forward, self.focal_length).unwrap_or(self)
+        // One by one: who cannot go on ahead can still go aside.
+        let steps = [steps.x * right, steps.y * Vec3::Y, steps.z * ahead];
+        steps.into_iter().fold(self, |walker, step| {
+            let eye = walker.eye + step;
+            Self::new(eye, self.forward, self.focal_length).unwrap_or(walker)
+        })
     }
 
-    /// Turned so that what was seen at a `point` of the image plane is in its middle.
-    /// Stays where that would be too steep.
+    /// Turned so that what was seen at a `point` of the image plane is in its middle; only
+    /// to the side, where that would be too steep.
     #[must_use]
     pub fn turned(self, point: Vec2) -> Self {
-        let forward = self.camera().ray(point).direction;
-        Self::new(self.eye, forward, self.focal_length).unwrap_or(self)
+        let towards = |point| {
+            let forward = self.camera().ray(point).direction;
+            Self::new(self.eye, forward, self.focal_length)
+        };
+        let aside = Vec2::new(point.x, 0.0);
+        towards(point).or_else(|| towards(aside)).unwrap_or(self)
     }
 
     /// Closer by a `factor`, through the lens alone. Stays where there is no such lens.

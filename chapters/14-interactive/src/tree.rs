@@ -40,8 +40,8 @@ fn write_ray(f: &mut Formatter, ray: &Explained, first: &str, rest: &str) -> Res
                 (Some(_), true) => "leaves",
             };
             let (name, t) = (met.object.name, met.hit.t);
-            writeln!(f, "{verb} {name} at t {t:.3} → light {light}")?;
-            write_met(f, met, rest)
+            writeln!(f, "{verb} {name} at t {t:.3}")?;
+            write_met(f, met, light, rest)
         }
         End::Background => writeln!(f, "meets nothing → light {light}"),
         End::TooWeak => writeln!(f, "too weak, not cast"),
@@ -51,7 +51,7 @@ fn write_ray(f: &mut Formatter, ray: &Explained, first: &str, rest: &str) -> Res
 // ANCHOR_END: ray
 
 // ANCHOR: met
-fn write_met(f: &mut Formatter, met: &Met, indent: &str) -> Result {
+fn write_met(f: &mut Formatter, met: &Met, light: Vector, indent: &str) -> Result {
     let branch = if met.onward.is_empty() {
         "   "
     } else {
@@ -69,7 +69,10 @@ fn write_met(f: &mut Formatter, met: &Met, indent: &str) -> Result {
     }
     let colour = met.object.material.phong.colour.at(met.point);
     let [colour, own] = [colour, met.own].map(Vector);
-    write!(f, "\n{indent}{branch}colour {colour}, own light {own}")?;
+    write!(
+        f,
+        "\n{indent}{branch}light {light}, own {own}, colour {colour}"
+    )?;
     for (i, lamp) in met.lamps.iter().enumerate() {
         if i == 0 {
             write!(f, "\n{indent}{branch}lamps: ")?;

@@ -5,16 +5,16 @@ use crate::{Walker, block_of, overlay};
 use anti_aliasing::views::n;
 use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, encode};
 use fresnel::fresnel;
-use glam::{Vec2, Vec3};
+use glam::{UVec2, Vec2, Vec3};
 use packets::{LANES, Lanes};
 use ray_casting::Camera;
 use reflection::views::{depth, still_life_mirrors};
 use reflection::{MAX_DEPTH, Reach};
 use refraction::views::{AIR, GLASS, index, still_life_with_glass};
 use refraction::{Material, redirect};
-use shadow_acne::{from_the_eye, from_the_surface, trace};
 use shadows::views::{lit_still_life, still_life_by};
 use shadows::{Scene, light_reaches};
+use std::sync::Mutex;
 
 /// Chapter 14. A key from 1 to 9 shows the view of that index, the last of them the first.
 pub const STAGE: Stage = Stage {
@@ -189,32 +189,36 @@ fn coarse(camera: Camera, halvings: u32) -> Picture {
 }
 
 /// The still life with the path of one pixel's ray, which meets the glass.
+///
+/// A path is drawn over a whole picture: the first run to be painted paints it all, for the others.
 fn explained(camera: Camera) -> Picture {
     let scene = scene(0, 0.0);
+    let painted = Mutex::new((UVec2::ZERO, Vec::new()));
     Picture::by_runs(move |first, run| {
-        let size = first.size;
-        for (x, place) in (first.x..).zip(&mut *run) {
-            let leaving = from_the_eye(camera.ray(Pixel { x, ..first }.centre()));
-            *place = trace(&scene, leaving, REACH, from_the_surface);
+        let mut painted = painted.lock().expect("nobody panics with it");
+        if painted.0 != first.size {
+            *painted = (first.size, with_path(&scene, &camera, first.size));
         }
-        // The path is drawn over a whole picture of which this run is painted.
-        let painted: Vec<_> = run.iter().map(|&light| encode(light)).collect();
-        let mut levels = vec![[0; 3]; size.element_product() as usize];
-        let start = (first.y * size.x + first.x) as usize;
-        levels[start..][..run.len()].copy_from_slice(&painted);
-        let at = (size.as_vec2() * Vec2::new(0.6, 0.64)).as_uvec2();
-        let pixel = Pixel {
-            x: at.x,
-            y: at.y,
-            size,
-        };
-        let explained = explain(&scene, &camera, pixel.centre(), REACH);
-        overlay::draw(&explained, &camera, size, &mut levels);
-        for ((place, before), after) in run.iter_mut().zip(painted).zip(&levels[start..])
-        {
-            if before != *after {
-                *place = Vec3::from_array(after.map(decode));
-            }
+        let start = first.y as usize * first.size.x as usize + first.x as usize;
+        for (place, &level) in run.iter_mut().zip(&painted.1[start..]) {
+            *place = Vec3::from_array(level.map(decode));
         }
     })
+}
+
+fn with_path(scene: &Scene<Material>, camera: &Camera, size: UVec2) -> Vec<[u8; 3]> {
+    let mut light = vec![Vec3::ZERO; size.x as usize * size.y as usize];
+    for (y, run) in (0..).zip(light.chunks_mut(size.x as usize)) {
+        packets::paint(scene, camera, REACH, 1, Pixel { x: 0, y, size }, run);
+    }
+    let mut levels: Vec<_> = light.into_iter().map(encode).collect();
+    let at = (size.as_vec2() * Vec2::new(0.6, 0.64)).as_uvec2();
+    let pixel = Pixel {
+        x: at.x,
+        y: at.y,
+        size,
+    };
+    let explained = explain(scene, camera, pixel.centre(), REACH);
+    overlay::draw(&explained, camera, size, &mut levels);
+    levels
 }

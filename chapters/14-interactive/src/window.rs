@@ -124,10 +124,11 @@ impl Walk {
             match key {
                 Key::Space => {
                     self.is_frozen = !self.is_frozen;
-                    self.tell(if self.is_frozen { "frozen" } else { "" });
+                    self.tell("");
                 }
                 Key::P => {
                     self.save_when_exact = true;
+                    self.tell("");
                     self.save_if_exact();
                 }
                 _ => {}
@@ -139,6 +140,7 @@ impl Walk {
         }
         for key in window.get_keys_pressed(KeyRepeat::No) {
             match key {
+                Key::Home => self.wish.walker = Walker::START,
                 Key::Tab => self.show((self.wish.view + 1) % STAGE.views.len()),
                 key => {
                     if let Some(index) = digit(key) {
@@ -176,7 +178,8 @@ impl Walk {
             // After a pause, such as a window that was moved, no leap.
             let seconds = passed.as_secs_f32();
             let seconds = if seconds < 0.1 { seconds } else { 0.1 };
-            self.wish.walker = self.wish.walker.moved(SPEED * seconds * steps);
+            let steps = SPEED * seconds * steps.normalize();
+            self.wish.walker = self.wish.walker.moved(steps);
         }
         let size = window.get_size();
         let size = UVec2::new(size.0 as u32, size.1 as u32).max(UVec2::ONE);
@@ -187,7 +190,7 @@ impl Walk {
         self.painter.wish(self.wish);
     }
 
-    /// A click explains a pixel; a drag turns, so that what was under the pointer stays under it.
+    /// A click explains a pixel; a drag turns, so that what was under the pointer stays about there.
     fn click_or_drag(&mut self, window: &Window) {
         let is_down = window.get_mouse_down(MouseButton::Left);
         let Some(at) = window.get_mouse_pos(MouseMode::Pass).map(Vec2::from) else {
@@ -205,10 +208,10 @@ impl Walk {
                 press.is_drag |= at.distance(press.start) > CLICK;
                 if press.is_drag && !self.is_frozen {
                     let moved = (press.last - at) / (self.wish.size.y as f32 / 2.0);
-                    press.last = at;
                     self.wish.walker =
                         self.wish.walker.turned(Vec2::new(moved.x, -moved.y));
                 }
+                press.last = at;
             }
             Some(press) => {
                 let at = press.start;
@@ -334,8 +337,16 @@ impl Walk {
             "{name} | {} ms | {x}x{y} | {done} of {count} samples | {rays:.1} Mrays/s",
             frame.took.as_millis()
         );
-        if !word.is_empty() {
-            title = format!("{title} | {word}");
+        let frozen = if self.is_frozen { "frozen" } else { "" };
+        let waits = if self.save_when_exact {
+            "P waits until it is exact"
+        } else {
+            ""
+        };
+        for word in [frozen, waits, word] {
+            if !word.is_empty() {
+                title = format!("{title} | {word}");
+            }
         }
         self.new_title = Some(title);
     }
