@@ -28,6 +28,9 @@ const CLICK: f32 = 3.0;
 /// covered is black until then.
 const AGAIN: Duration = Duration::from_millis(500);
 
+/// For so long a window may not be on the screen yet, where what it is given is lost.
+const YOUNG: Duration = Duration::from_secs(2);
+
 /// Opens a window to walk in, and returns when it is closed.
 ///
 /// Returns why, in a few words, if no window can be opened.
@@ -43,7 +46,8 @@ pub fn open(walker: Walker, asked: &Asked, target: Duration) -> Result<(), Strin
     window.set_target_fps(LOOKS);
 
     let mut walk = Walk::new(walker, asked, size, target);
-    let (mut looked, mut shown) = (Instant::now(), Instant::now());
+    let opened = Instant::now();
+    let (mut looked, mut shown) = (opened, opened);
     while window.is_open() && !window.is_key_down(Key::Escape) {
         let passed = looked.elapsed();
         looked = Instant::now();
@@ -52,7 +56,8 @@ pub fn open(walker: Walker, asked: &Asked, target: Duration) -> Result<(), Strin
         if let Some(title) = walk.new_title.take() {
             window.set_title(&title);
         }
-        if walk.is_new || shown.elapsed() > AGAIN {
+        let is_lost = shown.elapsed() > AGAIN || opened.elapsed() < YOUNG;
+        if walk.is_new || is_lost {
             let size = walk.screen_size;
             window
                 .update_with_buffer(&walk.screen, size.x as usize, size.y as usize)
