@@ -1,14 +1,14 @@
 //! The book's source: its listings are the chapters' code, and its pictures exist.
 
-use canvas::{Stage, View};
-use light_backwards::STAGES;
+use canvas::Stage;
+use preprocessor::{measured, studies};
 use pulldown_cmark::{Event, Parser, Tag};
-use speed_and_accuracy::STUDIES;
-use speed_and_accuracy::studies;
-use speed_and_accuracy::study::{Study, Table};
-use std::collections::BTreeSet;
+use serde_json::Value;
+use stages::STAGES;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 mod the_source {
     use super::*;
@@ -89,11 +89,7 @@ mod the_source {
             }
         }
         for stage in STAGES {
-            let page = read(&page_of(stage));
-            let mut shown = views_of(stage, &page);
-            if stage.name == speed_and_accuracy::STAGE.name {
-                shown.extend(commands(&page, "chart"));
-            }
+            let shown = views_of(stage, &read(&page_of(stage)));
             for view in stage.views {
                 if !shown.contains(view.name) {
                     problems.push(format!(
@@ -108,23 +104,15 @@ mod the_source {
     }
 
     #[test]
-    fn shows_every_studys_chart_in_chapter_13_and_in_the_one_it_belongs_to() {
-        let last = &speed_and_accuracy::STAGE;
-        let shows = |stage: &Stage, study: &Study| {
-            commands(&read(&page_of(stage)), "chart").contains(&study.name.to_string())
-        };
-        let mut problems = Vec::new();
-        for study in STUDIES {
-            if !shows(last, study) {
-                problems.push(format!("{} does not show {}", page_of(last), study.name));
-            }
-            let mut others = STAGES.into_iter().filter(|stage| stage.name != last.name);
-            // The planner's chapter is the last itself.
-            if study.name != "plan" && !others.any(|stage| shows(stage, study)) {
-                problems.push(format!("no other chapter shows {}", study.name));
-            }
-        }
-        none(&problems);
+    fn shows_every_studys_chart() {
+        let charts = pages()
+            .into_iter()
+            .flat_map(|page| commands(&read(&page), "chart"));
+        let shown: BTreeSet<String> = charts.collect();
+        let problems = studies()
+            .filter(|study| !shown.contains(study.name))
+            .map(|study| format!("no page shows the chart of {}", study.name));
+        none(&problems.collect::<Vec<_>>());
     }
 
     #[test]
@@ -132,18 +120,93 @@ mod the_source {
         let mut problems = Vec::new();
         for page in pages() {
             let text = read(&page);
-            let charts = commands(&text, "chart");
-            let charts = charts.iter().map(|name| studies::find(name).map(drop));
-            let numbers = commands(&text, "measured");
-            let numbers = numbers.iter().map(|asked| measured(asked).map(drop));
-            for problem in charts.chain(numbers).filter_map(Result::err) {
-                problems.push(format!("{page}: {problem}"));
+            for name in commands(&text, "chart") {
+                if studies().all(|study| study.name != name) {
+                    problems.push(format!("{page}: there is no study {name}"));
+                }
+            }
+            for asked in commands(&text, "measured") {
+                if let Err(problem) = measured(&asked) {
+                    problems.push(format!("{page}: {problem}"));
+                }
             }
         }
         none(&problems);
     }
 
-    /// A bug is a view whose caption says so, and whatever its chapter shows of what goes wrong.
+    /// Each folder is a stage in the list, in its order, with a program and a test target of its own.
+    #[test]
+    fn knows_every_chapter() {
+        let folders = fs::read_dir(root().join("chapters")).expect("the chapters");
+        let names = folders.map(|folder| folder.expect("a folder").file_name());
+        let names = names.map(|name| name.to_string_lossy().into_owned());
+        let is_numbered = |name: &String| name.starts_with(|c: char| c.is_ascii_digit());
+        let chapters: BTreeSet<String> = names.filter(is_numbered).collect();
+        let listed = STAGES.map(|stage| stage.name.to_string());
+        assert_eq!(chapters.into_iter().collect::<Vec<_>>(), listed);
+
+        let targets = targets();
+        for name in listed {
+            let (_, test) = name.split_once('-').expect("a number and a name");
+            assert!(targets["bin"].contains(&name), "no program {name}");
+            assert!(targets["test"].contains(&test.replace('-', "_")), "{name}");
+        }
+    }
+
+    /// `cargo test` and `cargo bench` with a target that exists; with a filter, one that some test's name holds.
+    #[test]
+    fn names_no_command_that_runs_nothing() {
+        let targets = targets();
+        let sources = rust_files(&root().join("tests"));
+        let mut problems = Vec::new();
+        let mut count = 0;
+        let readme = fs::read_to_string(root().join("README.md")).expect("the README");
+        let texts = pages().into_iter().map(|page| (page.clone(), read(&page)));
+        for (page, text) in texts.chain([("README.md".to_string(), readme)]) {
+            for command in cargo_commands(&text) {
+                count += 1;
+                let mut words = command.split_whitespace().skip(1);
+                let mut filter = None;
+                while let Some(word) = words.next() {
+                    let kind = match word {
+                        "--test" => "test",
+                        "--bench" => "bench",
+                        "--bin" => "bin",
+                        // What follows is for the program.
+                        "--" => break,
+                        _ if word.starts_with('-') => continue,
+                        _ if command.starts_with("test ") => {
+                            filter = Some(word);
+                            continue;
+                        }
+                        _ => continue,
+                    };
+                    let name = words.next().unwrap_or_default();
+                    // In a general form, as `--bin NN-NAME`.
+                    let is_general = name.chars().any(|c| c.is_ascii_uppercase());
+                    if !is_general && !targets[kind].contains(name) {
+                        problems.push(format!("{page}: cargo {command}: no {name}"));
+                    }
+                }
+                // A test's name begins with those of its modules.
+                let is_test = |filter: &str| {
+                    let mut lines = sources.iter().flat_map(|source| source.lines());
+                    lines.any(|line| {
+                        let line = line.trim();
+                        let is_name = line.starts_with("fn ") || line.starts_with("mod ");
+                        is_name && line.contains(filter)
+                    })
+                };
+                if filter.is_some_and(|filter| !is_test(filter)) {
+                    problems.push(format!("{page}: cargo {command} runs no test"));
+                }
+            }
+        }
+        none(&problems);
+        assert!(count > 30, "only {count} commands were found");
+    }
+
+    /// A bug is a view that its stage calls one, and every view that its chapter shows of what goes wrong.
     #[test]
     fn collects_every_bug_on_the_page_for_when_things_go_wrong() {
         const COLLECTION: &str = "when-things-go-wrong.md";
@@ -153,11 +216,7 @@ mod the_source {
             let mut sections = page.split("\n## ");
             let section = sections.find(|section| section.starts_with("What goes wrong"));
             let mut bugs = views_of(stage, section.unwrap_or_default());
-            let says_so = |view: &&View| {
-                view.caption.starts_with("The bug") || view.caption.contains("failed")
-            };
-            let captioned = stage.views.iter().filter(says_so);
-            bugs.extend(captioned.map(|view| view.name.to_string()));
+            bugs.extend(stage.bugs.iter().map(|bug| bug.to_string()));
             for missing in bugs.difference(&views_of(stage, &read(COLLECTION))) {
                 problems.push(format!(
                     "{COLLECTION} does not show {} {missing}",
@@ -169,9 +228,70 @@ mod the_source {
     }
 }
 
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
 /// The folder of the pages' source.
 fn book() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src")
+    root().join("book/src")
+}
+
+/// The targets of all packages: `bin`, `test` and `bench`, each with its names.
+fn targets() -> BTreeMap<&'static str, BTreeSet<String>> {
+    let metadata = Command::new(env!("CARGO"))
+        .args([
+            "metadata",
+            "--no-deps",
+            "--format-version",
+            "1",
+            "--offline",
+        ])
+        .current_dir(root())
+        .output();
+    let metadata = metadata.expect("cargo runs").stdout;
+    let metadata: Value = serde_json::from_slice(&metadata).expect("cargo's metadata");
+    let packages = metadata["packages"].as_array().expect("packages");
+    let all = packages
+        .iter()
+        .flat_map(|package| package["targets"].as_array());
+    let of_kind = |kind: &'static str| {
+        let is_it = |target: &&Value| target["kind"][0] == kind;
+        let names = all.clone().flatten().filter(is_it);
+        let names = names.filter_map(|target| Some(target["name"].as_str()?.to_string()));
+        (kind, names.collect())
+    };
+    ["bin", "test", "bench"].map(of_kind).into()
+}
+
+/// The texts of all Rust files in a folder.
+fn rust_files(folder: &Path) -> Vec<String> {
+    let mut texts = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            texts.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|it| it == "rs") {
+            texts.push(fs::read_to_string(path).expect("a source file"));
+        }
+    }
+    texts
+}
+
+/// What follows `cargo` in every command of a page, in a line of a console or between backticks.
+fn cargo_commands(text: &str) -> Vec<String> {
+    let mut commands = Vec::new();
+    for rest in text.split("cargo ").skip(1) {
+        let command = rest.split(['\n', '`', '#', '&', '|', ';', ')']).next();
+        let command = command.unwrap_or_default().trim();
+        if ["test", "bench", "run"]
+            .iter()
+            .any(|it| command.starts_with(it))
+        {
+            commands.push(command.to_string());
+        }
+    }
+    commands
 }
 
 fn read(file: &str) -> String {
@@ -269,27 +389,13 @@ fn picture(stage: &str, word: &str) -> String {
     let name = name.unwrap_or(word);
     let stage = STAGES.into_iter().find(|known| known.name == stage);
     let picture = stage.and_then(|stage| {
-        let view = &stage.views[stage.find(name)?];
+        let view = stage.view(name)?;
         let setting = setting
             .map_or(Some(view.default_setting()), |setting| setting.parse().ok())?;
         Some(stage.picture_name(view, setting))
     });
     let picture = picture.unwrap_or_else(|| "of that name".to_string());
     format!("pictures/{picture}.snap.png")
-}
-
-/// The number for `{{#measured STUDY; SCENE; METHOD; SETTING; COLUMN}}`.
-fn measured(asked: &str) -> Result<f64, String> {
-    let asked = asked.split_whitespace().collect::<Vec<_>>().join(" ");
-    let words: Vec<_> = asked.split(';').map(str::trim).collect();
-    let [name, scene, method, setting, column] = words[..] else {
-        return Err(format!("{asked} is not five words"));
-    };
-    let setting = setting
-        .parse()
-        .map_err(|_| format!("“{setting}” is no setting"))?;
-    let table = Table::from_csv(studies::find(name)?.table)?;
-    table.number(scene, method, setting, column)
 }
 
 fn none(problems: &[String]) {

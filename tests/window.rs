@@ -6,6 +6,7 @@
 
 #[path = "window/interactive.rs"]
 mod interactive;
+mod programs;
 
 use canvas::{Canvas, Stage};
 use glam::UVec2;
@@ -26,9 +27,8 @@ use x11rb::protocol::xproto::{
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 
-const SPHERE_HIT: (&str, &Stage) =
-    (env!("CARGO_BIN_EXE_02-sphere-hit"), &sphere_hit::STAGE);
-const SHADING: (&str, &Stage) = (env!("CARGO_BIN_EXE_05-shading"), &shading::STAGE);
+const SPHERE_HIT: &Stage = &sphere_hit::STAGE;
+const SHADING: &Stage = &shading::STAGE;
 
 /// X's names of keys, from its keysymdef.h. A digit's or a letter's is its ASCII code.
 const TAB: u32 = 0xff09;
@@ -36,7 +36,7 @@ const ESCAPE: u32 = 0xff1b;
 const UP: u32 = 0xff52;
 const DOWN: u32 = 0xff54;
 
-/// What `look` finds; it is asked again and again, for 20 seconds at most.
+/// Calls `look` until it returns something; panics after 20 seconds.
 #[track_caller]
 fn wait_for<T>(what: impl Debug, mut look: impl FnMut() -> Option<T>) -> T {
     let deadline = Instant::now() + Duration::from_secs(20);
@@ -49,7 +49,7 @@ fn wait_for<T>(what: impl Debug, mut look: impl FnMut() -> Option<T>) -> T {
     panic!("waited in vain for {what:?}");
 }
 
-/// Ends its process with the test, however that ends.
+/// A process that is killed when it is dropped, so that none outlives its test.
 struct Process(Child);
 
 impl Drop for Process {
@@ -59,7 +59,7 @@ impl Drop for Process {
     }
 }
 
-/// A screen of 1280x1024 pixels that nobody sees.
+/// An Xvfb with a screen of 1280x1024 pixels.
 struct Screen {
     x: RustConnection,
     root: xproto::Window,
@@ -69,7 +69,7 @@ struct Screen {
 }
 
 impl Screen {
-    /// None, and a line that says so, where there is no Xvfb.
+    /// Starts Xvfb. `None`, and a line that says so, if there is none.
     fn new() -> Option<Self> {
         let server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-screen", "0", "1280x1024x24"])
@@ -112,6 +112,7 @@ impl Screen {
         cookie.expect("sent").reply().expect("an atom").atom
     }
 
+    /// Returns the window's title; `None` if it has none yet, or no longer exists.
     fn title(&self, window: xproto::Window) -> Option<String> {
         let (name, utf8) = (self.atom("_NET_WM_NAME"), self.atom("UTF8_STRING"));
         let cookie = self.x.get_property(false, window, name, utf8, 0, 1024);
@@ -137,7 +138,7 @@ impl Screen {
         self.fake(event, button, 0, 0);
     }
 
-    /// Moves the mouse's pointer, to where it is on the screen.
+    /// Moves the mouse pointer to a pixel of the screen.
     fn point(&self, x: i16, y: i16) {
         self.fake(MOTION, 0, x, y);
     }
@@ -151,7 +152,7 @@ impl Screen {
     }
 }
 
-/// A chapter at work in its window, in a folder of its own.
+/// A chapter's program with its window, in a temporary folder.
 struct Shown<'a> {
     screen: &'a Screen,
     stage: &'static Stage,
@@ -162,14 +163,9 @@ struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     #[track_caller]
-    fn new(
-        screen: &'a Screen,
-        chapter: (&str, &'static Stage),
-        arguments: &[&str],
-    ) -> Self {
-        let (binary, stage) = chapter;
+    fn new(screen: &'a Screen, stage: &'static Stage, arguments: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
-        let process = Command::new(binary)
+        let process = Command::new(programs::path(stage.name))
             .args(arguments)
             .current_dir(folder.path())
             .env("DISPLAY", &screen.name)
@@ -179,7 +175,7 @@ impl<'a> Shown<'a> {
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
-            .expect("the binary runs");
+            .expect("the program runs");
         let process = Process(process);
         let window = wait_for("a window", || {
             let tree = screen.x.query_tree(screen.root).ok()?.reply().ok()?;
@@ -206,7 +202,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// The window's title, once it has all of `words`.
+    /// Waits for a title with all of `words`, and returns it.
     #[track_caller]
     fn title_with(&self, words: &[&str]) -> String {
         let mut title = None;
@@ -221,7 +217,7 @@ impl<'a> Shown<'a> {
         wait_for(words, look)
     }
 
-    /// Holds a key until the title has all of `words`.
+    /// Holds a key until the title has all of `words`, and returns it.
     #[track_caller]
     fn press(&self, symbol: u32, words: &[&str]) -> String {
         self.screen.key(symbol, KEY_PRESS);
@@ -230,7 +226,7 @@ impl<'a> Shown<'a> {
         title
     }
 
-    /// What the close button of a title bar sends.
+    /// Sends what the close button of a title bar sends.
     fn press_close_button(&self) {
         let protocols = self.screen.atom("WM_PROTOCOLS");
         let close = self.screen.atom("WM_DELETE_WINDOW");
@@ -247,7 +243,7 @@ impl<'a> Shown<'a> {
             .expect("a window that takes it");
     }
 
-    /// Asserts that it ends within 10 seconds, and with success; returns stdout and stderr.
+    /// Asserts that the program ends with success within 10 seconds; returns stdout and stderr.
     #[track_caller]
     fn ended(mut self) -> (String, String) {
         let child = &mut self.process.0;
@@ -256,7 +252,7 @@ impl<'a> Shown<'a> {
             if let Some(status) = child.try_wait().expect("a process") {
                 break status;
             }
-            assert!(Instant::now() < deadline, "it does not end");
+            assert!(Instant::now() < deadline, "the program does not end");
             sleep(Duration::from_millis(10));
         };
         assert_eq!(status.code(), Some(0));
@@ -276,7 +272,7 @@ impl<'a> Shown<'a> {
         self.ended()
     }
 
-    /// The same, by the close button if not by Escape.
+    /// Closes the window by Escape or else by its close button; returns stdout and stderr.
     #[track_caller]
     fn ended_by(self, escape: bool) -> (String, String) {
         if escape {
@@ -286,7 +282,7 @@ impl<'a> Shown<'a> {
         self.ended()
     }
 
-    /// The window's pixels as they are on the screen, row by row; red, green, blue.
+    /// Returns the window's pixels on the screen, row by row: red, green, blue.
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         let (x, window) = (&self.screen.x, self.window);
         let size = x.get_geometry(window).ok()?.reply().ok()?;
@@ -315,10 +311,10 @@ impl<'a> Shown<'a> {
         cookie.check().expect("a window that can be resized");
     }
 
-    /// What the window should show: the library's own picture.
-    fn painted(&self, view: &str, setting: f32, size: UVec2) -> Canvas {
-        let view = &self.stage.views[self.stage.find(view).expect("a view")];
-        Canvas::paint(&(view.picture)(setting), size)
+    /// Returns the library's own picture, which the window should show.
+    fn rendered(&self, view: &str, setting: f32, size: UVec2) -> Canvas {
+        let view = self.stage.view(view).expect("a view");
+        Canvas::render(&(view.picture)(setting), size)
     }
 }
 
@@ -333,11 +329,12 @@ fn it_shows_the_picture_and_its_title_says_what_it_cost() {
     let Some(screen) = Screen::new() else { return };
     let shown = Shown::new(&screen, SHADING, &[]);
     let title = shown.title_with(&DONE);
-    let expected = shown.painted("combined", 0.0, UVec2::new(800, 600));
+    let expected = shown.rendered("combined", 0.0, UVec2::new(800, 600));
     let parts: Vec<_> = title.split(" | ").collect();
-    let ["05-shading", "combined", time, rays] = parts[..] else {
+    let [name, "combined", time, rays] = parts[..] else {
         panic!("{title}");
     };
+    assert_eq!(name, SHADING.name);
     let time = time.strip_suffix(" ms").expect("milliseconds");
     assert!(time.parse::<u64>().is_ok(), "{title}");
     assert_eq!(rays, format!("{} rays", expected.rays));
@@ -350,7 +347,7 @@ fn tab_digits_and_arrows_change_view_and_knob() {
     let Some(screen) = Screen::new() else { return };
     let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
     let shows = |view: &str, setting: f32| {
-        let expected = shown.painted(view, setting, SMALL).levels;
+        let expected = shown.rendered(view, setting, SMALL).levels;
         shown.assert_shows(&format!("{view} at {setting}"), &expected);
     };
     shown.title_with(&["| combined |"]);
@@ -379,14 +376,14 @@ fn tab_digits_and_arrows_change_view_and_knob() {
 fn every_views_knob_keeps_its_own_setting() {
     let Some(screen) = Screen::new() else { return };
     #[rustfmt::skip]
-    let arguments = ["--view", "far-slide", "--knob", "4000", "--size", "400x300"];
+    let arguments = ["--view", "far-textbook", "--knob", "4000", "--size", "400x300"];
     let shown = Shown::new(&screen, SPHERE_HIT, &arguments);
-    shown.title_with(&["| far-slide | distance 4000 radii |"]);
-    shown.press(DOWN, &["| far-slide | distance 2000 radii |"]);
+    shown.title_with(&["| far-textbook | distance 4000 radii |"]);
+    shown.press(DOWN, &["| far-textbook | distance 2000 radii |"]);
     shown.press('7'.into(), &["| far-stable | distance 1000 radii |"]);
     shown.press(UP, &["| far-stable | distance 2000 radii |"]);
-    shown.press('6'.into(), &["| far-slide | distance 2000 radii |"]);
-    let expected = shown.painted("far-slide", 2000.0, SMALL).levels;
+    shown.press('6'.into(), &["| far-textbook | distance 2000 radii |"]);
+    let expected = shown.rendered("far-textbook", 2000.0, SMALL).levels;
     shown.assert_shows("the sphere from afar", &expected);
     assert_eq!(shown.close_with_escape(), Default::default());
 }
@@ -400,14 +397,14 @@ fn p_saves_what_the_window_shows() {
     // The key may have been held for long enough to repeat.
     let title = shown.title_with(&["| specular | shininess 5", DONE[0]]);
     let setting = title.split([' ']).nth(5).expect("a setting");
-    let name = format!("05-shading--specular--knob-{setting}.png");
+    let name = format!("{}--specular--knob-{setting}.png", SHADING.name);
     let folder = fs::canonicalize(shown.folder.path()).expect("a folder");
     let path = folder.join(&name);
     let path_shown = path.display().to_string();
     shown.press('p'.into(), &["| specular |", &path_shown]);
 
     let saved = image::open(&path).expect("a PNG");
-    let expected = shown.painted("specular", setting.parse().expect("a number"), SMALL);
+    let expected = shown.rendered("specular", setting.parse().expect("a number"), SMALL);
     assert!(saved.as_bytes() == expected.levels.as_flattened());
     let printed = format!("{path_shown}\n");
     assert_eq!(shown.close_with_escape(), (printed, String::new()));
@@ -419,8 +416,23 @@ fn p_in_the_middle_of_a_picture_saves_it_when_it_is_done() {
     let arguments = ["--size", "1600x1200"];
     let shown = Shown::new(&screen, SHADING, &arguments);
     shown.press('p'.into(), &["| saved "]);
-    let saved = image::open(shown.folder.path().join("05-shading--combined.png"));
-    let expected = shown.painted("combined", 0.0, UVec2::new(1600, 1200));
+    let name = format!("{}--combined.png", SHADING.name);
+    let saved = image::open(shown.folder.path().join(name));
+    let expected = shown.rendered("combined", 0.0, UVec2::new(1600, 1200));
+    assert!(saved.expect("a PNG").as_bytes() == expected.levels.as_flattened());
+    shown.close_with_escape();
+}
+
+#[test]
+fn a_view_chosen_in_the_middle_of_a_picture_replaces_it() {
+    let Some(screen) = Screen::new() else { return };
+    let arguments = ["--size", "1600x1200"];
+    let shown = Shown::new(&screen, SHADING, &arguments);
+    shown.press(TAB, &["| ambient |"]);
+    shown.press('p'.into(), &["| ambient | saved "]);
+    let name = format!("{}--ambient.png", SHADING.name);
+    let saved = image::open(shown.folder.path().join(name));
+    let expected = shown.rendered("ambient", 0.0, UVec2::new(1600, 1200));
     assert!(saved.expect("a PNG").as_bytes() == expected.levels.as_flattened());
     shown.close_with_escape();
 }
@@ -429,9 +441,9 @@ fn p_in_the_middle_of_a_picture_saves_it_when_it_is_done() {
 fn a_picture_that_cannot_be_saved_leaves_the_window_open() {
     let Some(screen) = Screen::new() else { return };
     let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
-    fs::create_dir(shown.folder.path().join("05-shading--combined.png"))
-        .expect("a folder");
-    shown.press('p'.into(), &["05-shading--combined.png: it is a folder"]);
+    let name = format!("{}--combined.png", SHADING.name);
+    fs::create_dir(shown.folder.path().join(&name)).expect("a folder");
+    shown.press('p'.into(), &[&format!("{name}: it is a folder")]);
     shown.press(TAB, &["| ambient |", DONE[0]]);
     let (stdout, stderr) = shown.close_with_escape();
     assert_eq!((stdout.as_str(), stderr.lines().count()), ("", 1));
@@ -443,7 +455,7 @@ fn a_resized_window_keeps_the_pictures_shape() {
     let Some(screen) = Screen::new() else { return };
     let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
     shown.title_with(&DONE);
-    let picture = shown.painted("combined", 0.0, SMALL).levels;
+    let picture = shown.rendered("combined", 0.0, SMALL).levels;
     // Twice as large, each pixel four times, in the middle of what is wider or higher than that.
     for (width, height) in [(900, 600), (800, 700), (800, 600)] {
         shown.resize(width, height);
@@ -491,13 +503,14 @@ fn it_ends_at_once_in_the_middle_of_a_picture() {
             let pixels = shown.pixels()?;
             pixels.iter().any(|&pixel| pixel != [0; 3]).then_some(())
         });
-        shown.title_with(&["| painting"]);
+        shown.title_with(&["| rendering"]);
         assert_eq!(shown.ended_by(escape), Default::default());
         screen.key(ESCAPE, KEY_RELEASE);
     }
 }
 
-/// The hundredths of a second that a process or thread has spent, by its `stat` in /proc.
+/// Returns the CPU time of a process or thread, in hundredths of a second, by its `stat` in
+/// /proc.
 fn ticks(stat: &str) -> u64 {
     let stat = fs::read_to_string(stat).expect("the process");
     // Fields 14 and 15 are those in it and for it; the name, field 2, ends with ')'.
@@ -508,19 +521,12 @@ fn ticks(stat: &str) -> u64 {
         .sum()
 }
 
-/// What it costs to show a picture that is done is printed, not judged: that is a matter of the machine.
 #[test]
 fn it_stays_open_while_nothing_happens() {
     let Some(screen) = Screen::new() else { return };
-    let mut shown = Shown::new(&screen, SHADING, &[]);
+    let mut shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
     shown.title_with(&DONE);
-    let stat = format!("/proc/{}/stat", shown.process.0.id());
-    let spent = || ticks(&stat) as f64 / 100.0;
-    let (before, start) = (spent(), Instant::now());
-    sleep(Duration::from_secs(3));
-    let share = 100.0 * (spent() - before) / start.elapsed().as_secs_f64();
-    writeln!(std::io::stderr(), "idle at 800x600: {share:.1} % of a core")
-        .expect("stderr");
+    sleep(Duration::from_secs(1));
     assert!(shown.process.0.try_wait().expect("a process").is_none());
     assert_eq!(shown.close_with_escape(), Default::default());
 }

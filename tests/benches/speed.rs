@@ -4,13 +4,14 @@
 //! times one chapter's. No time is asserted anywhere: what a picture costs for certain, in rays, a test counts.
 
 use ::canvas::Pixel;
+use ::measure::Random;
 use ::plane_hit::{Object, Plane, Shape};
 use ::ray_casting::Ray;
 use ::speed_and_accuracy::study::each;
-use ::sphere_hit::{FARTHEST, Sphere, facing};
+use ::sphere_hit::{Sphere, T_MAX, face_forward};
+use ::stages::STAGES;
 use divan::{Bencher, black_box};
 use glam::{UVec2, Vec2, Vec3};
-use light_backwards::STAGES;
 
 fn main() {
     divan::main();
@@ -21,26 +22,20 @@ const CALLS: usize = 1000;
 /// Times a call of each input; the same inputs every time.
 fn time<T, A>(
     bencher: Bencher,
-    input: impl Fn(&mut fastrand::Rng) -> T,
+    input: impl Fn(&mut Random) -> T,
     call: impl Fn(&T) -> A,
 ) {
-    let mut random = fastrand::Rng::with_seed(13);
+    let mut random = Random::new(13);
     let inputs: Vec<T> = (0..CALLS).map(|_| input(&mut random)).collect();
     bencher.bench_local(each(&inputs, call));
 }
 
-/// A direction, all of them alike.
-fn unit(random: &mut fastrand::Rng) -> Vec3 {
-    loop {
-        let vector = Vec3::from_array(std::array::from_fn(|_| 2.0 * random.f32() - 1.0));
-        if (1e-3..1.0).contains(&vector.length_squared()) {
-            return vector.normalize();
-        }
-    }
+fn unit(random: &mut Random) -> Vec3 {
+    random.direction().as_vec3()
 }
 
 /// From a distance of 5 towards somewhere within 1.5 of the origin.
-fn ray(random: &mut fastrand::Rng) -> Ray {
+fn ray(random: &mut Random) -> Ray {
     let origin = 5.0 * unit(random);
     let target = 1.5 * random.f32() * unit(random);
     Ray {
@@ -49,13 +44,13 @@ fn ray(random: &mut fastrand::Rng) -> Ray {
     }
 }
 
-/// A unit normal, and the unit direction of a ray that meets it from its front.
-fn meeting(random: &mut fastrand::Rng) -> (Vec3, Vec3) {
+/// A unit normal, and the unit direction of a ray that hits its surface from the front.
+fn hit(random: &mut Random) -> (Vec3, Vec3) {
     let normal = unit(random);
-    (normal, facing(unit(random), normal))
+    (normal, face_forward(unit(random), normal))
 }
 
-/// Of which the compiler knows nothing.
+/// A sphere of which the compiler knows nothing.
 fn ball() -> Sphere {
     black_box(Sphere {
         centre: Vec3::ZERO,
@@ -67,21 +62,21 @@ mod sphere_hit {
     use super::*;
 
     #[divan::bench]
-    fn by_slide(bencher: Bencher) {
+    fn quadratic(bencher: Bencher) {
         let ball = ball();
-        time(bencher, ray, |ray| ball.hit_by_slide(ray, FARTHEST));
+        time(bencher, ray, |ray| ball.distance_quadratic(ray, T_MAX));
     }
 
     #[divan::bench]
     fn stable(bencher: Bencher) {
         let ball = ball();
-        time(bencher, ray, |ray| ball.hit(ray, FARTHEST));
+        time(bencher, ray, |ray| ball.distance(ray, T_MAX));
     }
 
     #[divan::bench]
     fn in_f64(bencher: Bencher) {
         let ball = ball();
-        time(bencher, ray, |ray| ball.hit_in_f64(ray, FARTHEST));
+        time(bencher, ray, |ray| ball.hit_in_f64(ray, T_MAX));
     }
 }
 
@@ -94,34 +89,35 @@ mod plane_hit {
             point: Vec3::NEG_Y,
             normal: Vec3::Y,
         });
-        time(bencher, ray, |ray| floor.hit(ray, FARTHEST));
+        time(bencher, ray, |ray| floor.distance(ray, T_MAX));
     }
 }
 
 mod shading {
     use super::*;
-    use ::shading::power;
 
     #[divan::bench(args = [10, 50, 200])]
-    fn power_of(bencher: Bencher, exponent: u32) {
-        time(bencher, fastrand::Rng::f32, |&base| power(base, exponent));
+    fn powi(bencher: Bencher, exponent: u32) {
+        time(bencher, Random::f32, |&base| {
+            ::shading::powi(base, exponent)
+        });
     }
 }
 
 mod reflection {
     use super::*;
-    use ::reflection::{reflect, reflect_by_slide};
+    use ::reflection::{reflect, reflect_unnormalized};
 
     #[divan::bench]
-    fn by_slide(bencher: Bencher) {
-        time(bencher, meeting, |&(normal, incident)| {
-            reflect_by_slide(incident, normal)
+    fn unnormalized(bencher: Bencher) {
+        time(bencher, hit, |&(normal, incident)| {
+            reflect_unnormalized(incident, normal)
         });
     }
 
     #[divan::bench]
-    fn normalised(bencher: Bencher) {
-        time(bencher, meeting, |&(normal, incident)| {
+    fn normalized(bencher: Bencher) {
+        time(bencher, hit, |&(normal, incident)| {
             reflect(incident, normal)
         });
     }
@@ -133,14 +129,14 @@ mod refraction {
 
     #[divan::bench]
     fn into_glass(bencher: Bencher) {
-        time(bencher, meeting, |&(normal, incident)| {
+        time(bencher, hit, |&(normal, incident)| {
             refract(incident, normal, black_box(1.0 / 1.5))
         });
     }
 
     #[divan::bench]
     fn out_of_glass(bencher: Bencher) {
-        time(bencher, meeting, |&(normal, incident)| {
+        time(bencher, hit, |&(normal, incident)| {
             refract(incident, normal, black_box(1.5))
         });
     }
@@ -161,7 +157,7 @@ mod fresnel {
     }
 
     fn with(bencher: Bencher, reflectance: Reflectance) {
-        time(bencher, fastrand::Rng::f32, |&cos_theta_i| {
+        time(bencher, Random::f32, |&cos_theta_i| {
             reflectance(cos_theta_i, 1.0, 1.5)
         });
     }
@@ -170,8 +166,8 @@ mod fresnel {
 /// Of 16 samples of the pixels about an edge, without what a sample costs.
 mod anti_aliasing {
     use super::*;
-    use ::anti_aliasing::{adaptive, jittered, regular};
-    use ::speed_and_accuracy::sampling::low_discrepancy;
+    use ::anti_aliasing::sobol::low_discrepancy;
+    use ::anti_aliasing::{Sampler, adaptive, jittered, regular};
 
     #[divan::bench]
     fn on_a_grid(bencher: Bencher) {
@@ -193,54 +189,60 @@ mod anti_aliasing {
         with(bencher, low_discrepancy);
     }
 
-    fn with(bencher: Bencher, sampler: fn(Pixel, u32, &dyn Fn(Vec2) -> Vec3) -> Vec3) {
-        let size = UVec2::new(8, 6);
-        let pixel = |random: &mut fastrand::Rng| Pixel {
-            x: random.u32(0..size.x),
-            y: random.u32(0..size.y),
-            size,
-        };
+    fn with(bencher: Bencher, sampler: Sampler) {
+        let pixels: Vec<Pixel> = Pixel::all(UVec2::new(8, 6)).collect();
         let edge = |point: Vec2| Vec3::splat(f32::from(point.x > 0.3 * point.y));
-        time(bencher, pixel, |&pixel| sampler(pixel, 4, &edge));
+        time(
+            bencher,
+            |random| random.pick(&pixels),
+            |&pixel| sampler(pixel, 4, &edge),
+        );
     }
 }
 
-/// Leaving a ball to any side, and meeting it again or not.
+/// Leaving a ball to any side, and hitting it again or not.
 mod shadow_acne {
     use super::*;
     use ::shadow_acne::{
-        Leave, at_the_point, by_a_fixed_offset, by_a_scaled_offset, from_the_surface,
+        SpawnRay, from_surface, with_fixed_offset, with_scaled_offset, without_offset,
     };
+    use ::shadows::Interaction;
 
     #[divan::bench]
-    fn no_step(bencher: Bencher) {
-        with(bencher, at_the_point);
+    fn no_offset(bencher: Bencher) {
+        with(bencher, without_offset);
     }
 
     #[divan::bench]
     fn fixed(bencher: Bencher) {
-        with(bencher, by_a_fixed_offset);
+        with(bencher, with_fixed_offset);
     }
 
     #[divan::bench]
     fn scaled(bencher: Bencher) {
-        with(bencher, by_a_scaled_offset);
+        with(bencher, with_scaled_offset);
     }
 
     #[divan::bench]
     fn surface(bencher: Bencher) {
-        with(bencher, from_the_surface);
+        with(bencher, from_surface);
     }
 
-    fn with(bencher: Bencher, leave: Leave<()>) {
-        let ball = Object {
+    fn with(bencher: Bencher, spawn: SpawnRay) {
+        let ball = [Object {
             name: "",
             shape: Shape::Sphere(ball()),
             material: (),
+        }];
+        let hit = |random: &mut Random| {
+            let outward = unit(random);
+            let (origin, direction) = (2.0 * outward, -outward);
+            let at = Interaction::new(&ball, &Ray { origin, direction }, (0, 1.0));
+            (at, unit(random))
         };
-        let departure = |random: &mut fastrand::Rng| (unit(random), unit(random));
-        time(bencher, departure, |&(normal, direction)| {
-            leave(&ball, normal, normal, direction).hit(&ball, FARTHEST)
+        time(bencher, hit, |(at, direction)| {
+            let shape = &ball[0].shape;
+            spawn(shape, at, *direction).distance(0, shape, T_MAX)
         });
     }
 }
@@ -249,14 +251,14 @@ mod shadow_acne {
 #[divan::bench(args = STAGES.map(|stage| stage.name), max_time = 1)]
 fn pictures(bencher: Bencher, name: &str) {
     let stage = STAGES.into_iter().find(|stage| stage.name == name);
-    let view = &stage.expect("one of them").views[0];
+    let view = stage.expect("one of them").hero();
     let picture = (view.picture)(view.default_setting());
     let size = UVec2::new(160, 120);
-    let rows: Vec<Pixel> = (0..size.y).map(|y| Pixel { x: 0, y, size }).collect();
-    let paint = |&first: &Pixel| {
+    let rows: Vec<Pixel> = Pixel::all(size).filter(|pixel| pixel.x == 0).collect();
+    let render = |&first: &Pixel| {
         let mut row = vec![Vec3::ZERO; size.x as usize];
-        picture.paint(first, &mut row);
+        picture.render_span(first, &mut row);
         row
     };
-    bencher.bench_local(each(&rows, paint));
+    bencher.bench_local(each(&rows, render));
 }

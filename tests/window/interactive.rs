@@ -1,13 +1,13 @@
-//! Chapter 14's window: it moves, refines, explains, resizes and closes.
+//! The window of the walk: it moves, refines, explains, resizes and closes.
 
 use super::*;
-use ::interactive::{STAGE, Walker, views};
-use canvas::Picture;
-use reflection::{MAX_DEPTH, Reach};
-use refraction::views::{AIR, GLASS, still_life_with_glass};
-use shadow_acne::{from_the_eye, from_the_surface, trace};
-
-const INTERACTIVE: (&str, &Stage) = (env!("CARGO_BIN_EXE_14-interactive"), &STAGE);
+use ::interactive::explain::{budget, explain};
+use ::interactive::overlay::Overlay;
+use ::interactive::views::WalkView;
+use ::interactive::{CameraPose, STAGE};
+use canvas::{Picture, Pixel};
+use refraction::scene::{AIR, GLASS, still_life_with_glass};
+use shadow_acne::{from_surface, trace, untracked};
 
 /// How far a step leads where it should.
 type Towards = fn(glam::Vec3, &ray_casting::Camera) -> f32;
@@ -17,28 +17,40 @@ const HOME: u32 = 0xff50;
 /// The title when a picture of 4 × 4 samples is done.
 const REFINED: [&str; 1] = ["16 of 16 samples"];
 
-/// Chapter 9's n × n sampler over chapter 10's trace.
-fn by_the_book(walker: Walker, n: u32, size: UVec2) -> Vec<[u8; 3]> {
-    let (scene, camera) = (still_life_with_glass(GLASS, AIR), walker.camera());
+/// Returns what the walk must arrive at: one ray at a time, n × n samples of every pixel.
+fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Vec<[u8; 3]> {
+    let (scene, camera) = (still_life_with_glass(GLASS, AIR), pose.camera());
     let picture = Picture::new(move |pixel| {
         anti_aliasing::regular(pixel, n, &|point| {
-            let leaving = from_the_eye(camera.ray(point));
-            trace(&scene, leaving, Reach::new(MAX_DEPTH), from_the_surface)
+            trace(
+                &scene,
+                &untracked(camera.ray(point)),
+                budget(),
+                from_surface,
+            )
         })
     });
-    Canvas::paint(&picture, size).levels
+    Canvas::render(&picture, size).levels
+}
+
+/// Returns the pose that a command line asks for.
+fn pose_in(command: &str) -> CameraPose {
+    let (_, camera) = command.split_once("--camera=").expect("a camera");
+    let (camera, _) = camera.split_once(' ').expect("numbers");
+    camera.parse().expect("a pose")
 }
 
 fn open(screen: &Screen) -> Shown<'_> {
-    let shown = Shown::new(screen, INTERACTIVE, &SMALL_ARGUMENTS);
+    let shown = Shown::new(screen, &STAGE, &SMALL_ARGUMENTS);
     // In the corner, so that the window's pixels are the screen's.
     shown.resize(SMALL.x, SMALL.y);
     shown
 }
 
 impl Shown<'_> {
-    /// Presses P until the picture is saved; where from, by the PNG, and its pixels.
-    fn saved(&self, number: u32) -> (Walker, Vec<u8>) {
+    /// Presses P until the picture is saved; returns the pose in the PNG's command, and its
+    /// pixels.
+    fn saved(&self, number: u32) -> (CameraPose, Vec<u8>) {
         let name = format!("shot-{number}.png");
         self.press('p'.into(), &["saved ", &name]);
         let files = fs::read_dir(self.folder.path()).expect("a folder");
@@ -49,11 +61,11 @@ impl Shown<'_> {
         let file = BufReader::new(fs::File::open(&path).expect("a file"));
         let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
         let texts = &reader.info().uncompressed_latin1_text;
-        let camera = texts.iter().find(|text| text.keyword == "Camera");
-        let walker = camera.expect("the camera").text.parse().expect("a walker");
+        let command = texts.iter().find(|text| text.keyword == "Command");
+        let pose = pose_in(&command.expect("the command").text);
         let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
         reader.next_frame(&mut pixels).expect("pixels");
-        (walker, pixels)
+        (pose, pixels)
     }
 
     /// Moves the pointer with the button held, so that what is done is a drag, not a click.
@@ -87,18 +99,10 @@ fn standing_still_it_refines_to_the_books_picture() {
     let shown = open(&screen);
     let title = shown.title_with(&REFINED);
     let parts: Vec<_> = title.split(" | ").collect();
-    let [
-        "14-interactive",
-        "still-life",
-        "n 4",
-        ms,
-        "400x300",
-        _,
-        rays,
-    ] = parts[..]
-    else {
+    let [name, "still-life", "n 4", ms, "400x300", _, rays] = parts[..] else {
         panic!("{title}");
     };
+    assert_eq!(name, STAGE.name);
     assert!(
         ms.strip_suffix(" ms")
             .is_some_and(|ms| ms.parse::<u64>().is_ok()),
@@ -108,12 +112,15 @@ fn standing_still_it_refines_to_the_books_picture() {
         .strip_suffix(" Mrays/s")
         .and_then(|rate| rate.parse::<f64>().ok());
     assert!(rate.is_some_and(|rate| rate > 0.0), "{title}");
-    let expected = by_the_book(Walker::START, 4, SMALL);
+    let expected = one_by_one(CameraPose::START, 4, SMALL);
     shown.assert_shows("sixteen samples a pixel", &expected);
 
     shown.press(UP, &["n 5 |"]);
     shown.title_with(&["25 of 25 samples"]);
-    shown.assert_shows("25 samples a pixel", &by_the_book(Walker::START, 5, SMALL));
+    shown.assert_shows(
+        "25 samples a pixel",
+        &one_by_one(CameraPose::START, 5, SMALL),
+    );
     assert_eq!(shown.close_with_escape(), Default::default());
 }
 
@@ -122,7 +129,7 @@ fn keys_walk_and_what_is_saved_there_can_be_drawn_again() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
-    let mut before = Walker::START.camera();
+    let mut before = CameraPose::START.camera();
     let moves: [(char, Towards); 6] = [
         ('w', |by, camera| by.dot(camera.forward)),
         ('s', |by, camera| -by.dot(camera.forward)),
@@ -135,17 +142,17 @@ fn keys_walk_and_what_is_saved_there_can_be_drawn_again() {
         // While it moves, a frame is coarse: one sample, never all of them.
         shown.press(key.into(), &["0 of 16 samples"]);
         sleep(Duration::from_millis(100));
-        let (walker, pixels) = shown.saved(number);
-        let after = walker.camera();
+        let (pose, pixels) = shown.saved(number);
+        let after = pose.camera();
         assert!(ahead(after.eye - before.eye, &before) > 0.0, "{key}");
         assert_eq!(after.forward, before.forward);
-        let expected = by_the_book(walker, 4, SMALL);
+        let expected = one_by_one(pose, 4, SMALL);
         assert!(pixels == expected.as_flattened(), "{key}");
         before = after;
     }
     // And home again.
     screen.key(HOME, KEY_PRESS);
-    let start = by_the_book(Walker::START, 4, SMALL);
+    let start = one_by_one(CameraPose::START, 4, SMALL);
     shown.assert_shows("the start", &start);
     screen.key(HOME, KEY_RELEASE);
     let (stdout, stderr) = shown.close_with_escape();
@@ -154,20 +161,18 @@ fn keys_walk_and_what_is_saved_there_can_be_drawn_again() {
     assert_eq!(lines.len(), 12, "{stdout}");
     // The last command, by this binary, into a folder of its own.
     let (cargo, arguments) = lines[11].split_once(" -- ").expect("a command");
-    assert_eq!(cargo, "cargo run --release --bin 14-interactive");
+    assert_eq!(cargo, format!("cargo run --release --bin {}", STAGE.name));
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let drawn = Command::new(INTERACTIVE.0)
+    let drawn = Command::new(programs::path(STAGE.name))
         .args(arguments.split(' '))
         .current_dir(folder.path())
         .output();
     assert_eq!(drawn.expect("the binary runs").status.code(), Some(0));
     let (_, name) = arguments.rsplit_once(' ').expect("a name");
     let again = image::open(folder.path().join(name)).expect("a PNG");
-    let (_, camera) = arguments.split_once("--camera=").expect("a camera");
-    let (camera, _) = camera.split_once(' ').expect("numbers");
-    let walker: Walker = camera.parse().expect("a walker");
-    assert_eq!(walker.camera().eye, before.eye);
-    assert!(again.as_bytes() == by_the_book(walker, 4, SMALL).as_flattened());
+    let pose = pose_in(arguments);
+    assert_eq!(pose.camera().eye, before.eye);
+    assert!(again.as_bytes() == one_by_one(pose, 4, SMALL).as_flattened());
 }
 
 #[test]
@@ -175,7 +180,7 @@ fn the_mouse_turns_and_its_wheel_zooms() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
-    let start = Walker::START.camera();
+    let start = CameraPose::START.camera();
     shown.drag((200, 150), (120, 150));
     let (turned, pixels) = shown.saved(1);
     let camera = turned.camera();
@@ -186,7 +191,7 @@ fn the_mouse_turns_and_its_wheel_zooms() {
         (camera.forward.y - start.forward.y).abs() < 0.02,
         "{turned}"
     );
-    assert!(pixels == by_the_book(turned, 4, SMALL).as_flattened());
+    assert!(pixels == one_by_one(turned, 4, SMALL).as_flattened());
     shown.drag((200, 150), (200, 200));
     let (raised, _) = shown.saved(2);
     assert!(
@@ -226,10 +231,10 @@ fn digits_show_each_chapters_stage_of_the_picture() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
-    for (digit, index) in ('1'..='9').zip([1, 2, 3, 4, 5, 6, 7, 8, 0]) {
-        let view = &STAGE.views[index];
+    for (digit, walk) in ('1'..='9').zip(WalkView::ALL) {
+        let view = &walk.view;
         let setting = view.default_setting();
-        let count = views::samples(index, setting);
+        let count = walk.samples(setting);
         shown.press(
             digit.into(),
             &[
@@ -237,7 +242,7 @@ fn digits_show_each_chapters_stage_of_the_picture() {
                 &format!("{count} of {count} samples"),
             ],
         );
-        let expected = shown.painted(view.name, setting, SMALL).levels;
+        let expected = shown.rendered(view.name, setting, SMALL).levels;
         shown.assert_shows(view.name, &expected);
     }
     shown.press('6'.into(), &["| reflection | depth 64 bounces |"]);
@@ -252,20 +257,18 @@ fn a_click_explains_a_pixel_and_draws_its_path() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
-    let plain = by_the_book(Walker::START, 4, SMALL);
+    let plain = one_by_one(CameraPose::START, 4, SMALL);
     shown.assert_shows("the refined picture", &plain);
     shown.click(240, 195);
     let mut levels = plain.clone();
-    let (scene, camera) = (still_life_with_glass(GLASS, AIR), Walker::START.camera());
-    let pixel = canvas::Pixel {
-        x: 240,
-        y: 195,
-        size: SMALL,
-    };
-    let reach = Reach::new(MAX_DEPTH);
-    let explained =
-        ::interactive::explain::explain(&scene, &camera, pixel.centre(), reach);
-    ::interactive::overlay::draw(&explained, &camera, SMALL, &mut levels);
+    let (scene, camera) = (
+        still_life_with_glass(GLASS, AIR),
+        CameraPose::START.camera(),
+    );
+    let (x, y, size) = (240, 195, SMALL);
+    let centre = Pixel { x, y, size }.centre();
+    let explained = explain(&scene, &camera, centre, budget());
+    Overlay::new(&explained, &camera, size).draw(size, &mut levels);
     assert!(levels != plain);
     shown.assert_shows("the path over the picture", &levels);
     // The key of the view that is shown takes it away.
@@ -273,7 +276,7 @@ fn a_click_explains_a_pixel_and_draws_its_path() {
     shown.assert_shows("the picture without it", &plain);
     screen.key('9'.into(), KEY_RELEASE);
     let (stdout, stderr) = shown.close_with_escape();
-    let printed = Command::new(INTERACTIVE.0)
+    let printed = Command::new(programs::path(STAGE.name))
         .args(SMALL_ARGUMENTS)
         .args(["--trace", "240,195"])
         .output();
@@ -288,7 +291,7 @@ fn frozen_nothing_changes_until_it_is_not() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
-    let plain = by_the_book(Walker::START, 4, SMALL);
+    let plain = one_by_one(CameraPose::START, 4, SMALL);
     shown.assert_shows("the refined picture", &plain);
     shown.press(' '.into(), &["| frozen"]);
     // A drag turns nothing, neither now nor later.
@@ -309,8 +312,8 @@ fn frozen_nothing_changes_until_it_is_not() {
         (!screen.title(shown.window)?.contains("frozen")).then_some(())
     });
     screen.key(' '.into(), KEY_RELEASE);
-    let (walker, _) = shown.saved(1);
-    assert_eq!(walker, Walker::START);
+    let (pose, _) = shown.saved(1);
+    assert_eq!(pose, CameraPose::START);
     shown.close_with_escape();
 }
 
@@ -327,14 +330,14 @@ fn a_resized_window_has_a_picture_of_its_size() {
     ] {
         shown.resize(size.x, size.y);
         shown.title_with(&[&format!("| {}x{} |", size.x, size.y), REFINED[0]]);
-        let expected = by_the_book(Walker::START, 4, size);
+        let expected = one_by_one(CameraPose::START, 4, size);
         shown.assert_shows(&format!("a picture of {size}"), &expected);
     }
     assert_eq!(shown.close_with_escape(), Default::default());
 }
 
 #[test]
-fn refined_its_painters_sleep() {
+fn refined_its_render_threads_sleep() {
     let Some(screen) = Screen::new() else { return };
     let shown = open(&screen);
     shown.title_with(&REFINED);
@@ -354,7 +357,7 @@ fn refined_its_painters_sleep() {
         .into_iter()
         .filter(|task| *task != process.to_string())
         .collect();
-    assert!(!others.is_empty(), "somebody has painted");
+    assert!(!others.is_empty(), "no thread has rendered");
     let before: Vec<_> = others.iter().map(spent).collect();
     let (main, start) = (spent(&process.to_string()), Instant::now());
     sleep(Duration::from_secs(2));
@@ -374,7 +377,7 @@ fn it_closes_at_once_while_it_refines() {
     let Some(screen) = Screen::new() else { return };
     for escape in [true, false] {
         let arguments = ["--size", "1280x960", "--knob", "20"];
-        let shown = Shown::new(&screen, INTERACTIVE, &arguments);
+        let shown = Shown::new(&screen, &STAGE, &arguments);
         // Four hundred samples of a million pixels on one thread: it is far from done.
         shown.title_with(&[" of 400 samples"]);
         assert_eq!(shown.ended_by(escape), Default::default());

@@ -1,8 +1,8 @@
 //! The dependency graph of the chapters, drawn from their manifests.
 
 use crate::figures::escape;
-use light_backwards::STAGES;
 use mdbook_preprocessor::errors::{Error, Result};
+use stages::STAGES;
 use std::collections::BTreeSet;
 use std::fs;
 use toml::{Table, Value};

@@ -1,8 +1,10 @@
 //! Figures, captions and commands from the chapters' stages.
 
 use canvas::{Stage, View};
-use light_backwards::STAGES;
 use mdbook_preprocessor::errors::{Error, Result};
+use preprocessor::study;
+use stages::STAGES;
+use std::fs;
 
 /// The pictures of a stage's `views`, each `VIEW` or `VIEW=KNOB`, side by side.
 pub fn figures(stage: &str, views: &[&str]) -> Result<String> {
@@ -28,7 +30,7 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
         Some((name, setting)) => (name, Some(setting)),
         None => (wanted, None),
     };
-    let index = stage.find(name).ok_or_else(|| {
+    let view = stage.view(name).ok_or_else(|| {
         let known: Vec<_> = stage.views.iter().map(|view| view.name).collect();
         Error::msg(format!(
             "{} has no view “{name}”, but {}",
@@ -36,20 +38,20 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
             known.join(", ")
         ))
     })?;
-    let view = &stage.views[index];
     let setting = match setting {
-        Some(setting) => pinned(view, setting)?,
+        Some(setting) => with_picture(view, setting)?,
         None => view.default_setting(),
     };
 
-    // A stage's first picture, as it comes, is the page's large one.
+    let is_hero = view.name == stage.hero;
     let by_default = setting == view.default_setting();
-    let (width, height) = match index {
-        0 if by_default => (800, 600),
-        _ => (320, 240),
+    let (width, height) = if is_hero && by_default {
+        (800, 600)
+    } else {
+        (320, 240)
     };
     let mut options = String::new();
-    if index > 0 {
+    if !is_hero {
         options += &format!(" --view {name}");
     }
     let mut caption = escape(view.caption);
@@ -71,14 +73,33 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
     ))
 }
 
+/// The charts of a study, and where their numbers come from.
+pub fn chart(name: &str) -> Result<String> {
+    let (study, table) = study(name)?;
+    let path = study.path("svg");
+    let svg = fs::read_to_string(&path)
+        .map_err(|problem| Error::msg(format!("{name}.svg: {problem}")))?;
+    // A blank line would end Markdown's block of HTML.
+    let lines: Vec<_> = svg.lines().filter(|line| !line.trim().is_empty()).collect();
+    let command = command(&format!("cargo bench --bench studies -- {name}"));
+    Ok(format!(
+        "<div class=\"figures\">\n<figure>\n{}\n\
+         <figcaption>{}. Measured on {}: <a href=\"studies/{name}.csv\">the table</a>.<br>{command}</figcaption>\n\
+         </figure>\n</div>\n",
+        lines.join("\n"),
+        escape(study.title),
+        escape(&table.machine),
+    ))
+}
+
 /// A command whose line may break between two words, and nowhere else.
 pub fn command(words: &str) -> String {
     let words = words.split(' ').map(|word| format!("<span>{word}</span>"));
     format!("<code>{}</code>", words.collect::<Vec<_>>().join(" "))
 }
 
-/// A setting of the view's knob that has a picture: the default, or one that its stage pins.
-fn pinned(view: &View, setting: &str) -> Result<f32> {
+/// Returns a setting of the view's knob if the book has its picture.
+fn with_picture(view: &View, setting: &str) -> Result<f32> {
     let knob = view
         .knob
         .as_ref()
@@ -86,9 +107,9 @@ fn pinned(view: &View, setting: &str) -> Result<f32> {
     let setting: f32 = setting
         .parse()
         .map_err(|_| Error::msg(format!("“{setting}” is not a number")))?;
-    if setting != knob.default && !knob.pinned.contains(&setting) {
+    if setting != knob.default && !knob.snapshot_settings.contains(&setting) {
         return Err(Error::msg(format!(
-            "{setting} is not pinned by the knob of “{}”: there is no picture of it",
+            "{setting} is not among the snapshot_settings of the knob of “{}”: there is no picture of it",
             view.name
         )));
     }

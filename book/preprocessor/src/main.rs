@@ -1,11 +1,10 @@
 //! Prepares the book's pages for mdBook: formulas become MathML, figures come from the chapters' stages
-//! and manifests, charts and measured numbers from chapter 13's studies.
+//! and manifests, charts and measured numbers from the studies.
 
 mod dependencies;
 mod figures;
 mod maths;
 mod page;
-mod studies;
 
 use mdbook_preprocessor::errors::{Error, Result};
 use std::env;

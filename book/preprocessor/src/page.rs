@@ -1,6 +1,6 @@
 //! One page: finds what is to be replaced, and leaves all else, code above all, as it is.
 
-use crate::{dependencies, figures, maths, studies};
+use crate::{dependencies, figures, maths};
 use mdbook_preprocessor::errors::{Error, Result};
 use pulldown_cmark::{Event, Options, Parser, Tag};
 
@@ -52,7 +52,7 @@ fn fill_in(text: &str) -> Result<String> {
             .split_once("}}")
             .ok_or_else(|| Error::msg("a {{#measured has no }}"))?;
         filled += before;
-        filled += &studies::number(asked)?;
+        filled += &preprocessor::measured(asked)?;
         rest = after;
     }
     Ok(filled + rest)
@@ -69,7 +69,7 @@ fn paragraph(text: &str) -> Result<Option<String>> {
     };
     match command.split_whitespace().collect::<Vec<_>>()[..] {
         ["figure", stage, ref views @ ..] => figures::figures(stage, views).map(Some),
-        ["chart", name] => studies::chart(name).map(Some),
+        ["chart", name] => figures::chart(name).map(Some),
         ["stages"] => Ok(Some(figures::chapters())),
         ["dependencies"] => dependencies::diagram().map(Some),
         _ => Ok(None),
@@ -80,10 +80,7 @@ fn paragraph(text: &str) -> Result<Option<String>> {
 mod a_page {
     use super::prepare;
     use crate::figures::escape;
-    use speed_and_accuracy::STUDIES;
-    use speed_and_accuracy::chart;
-    use speed_and_accuracy::studies::sphere;
-    use speed_and_accuracy::study::Table;
+    use preprocessor::{measured, studies};
 
     #[test]
     fn keeps_what_is_neither_maths_nor_figure() {
@@ -122,17 +119,17 @@ mod a_page {
     #[test]
     fn gets_a_figure_for_each_view() {
         let page = prepare(
-            "Before.\n\n{{#figure 02-sphere-hit flat far-slide=10000}}\n\nAfter.\n",
+            "Before.\n\n{{#figure 02-sphere-hit flat far-textbook=10000}}\n\nAfter.\n",
         )
         .unwrap();
         for expected in [
             r#"<a href="pictures/02-sphere-hit--flat.snap.png">"#,
             r#"width="800" height="600""#,
             "<span>02-sphere-hit</span></code>",
-            r#"<img src="pictures/02-sphere-hit--far-slide--knob-10000.snap.png""#,
+            r#"<img src="pictures/02-sphere-hit--far-textbook--knob-10000.snap.png""#,
             r#"width="320" height="240""#,
             "Here: distance 10000 radii.",
-            "<span>--view</span> <span>far-slide</span> <span>--knob</span> <span>10000</span></code>",
+            "<span>--view</span> <span>far-textbook</span> <span>--knob</span> <span>10000</span></code>",
         ] {
             assert!(page.contains(expected), "no {expected} in {page}");
         }
@@ -149,8 +146,11 @@ mod a_page {
             ("02-sphere flat", "no stage is called “02-sphere”"),
             ("02-sphere-hit flatt", "02-sphere-hit has no view “flatt”"),
             ("02-sphere-hit flat=1", "“flat” has no knob"),
-            ("02-sphere-hit far-slide=x", "“x” is not a number"),
-            ("02-sphere-hit far-slide=20", "20 is not pinned"),
+            ("02-sphere-hit far-textbook=x", "“x” is not a number"),
+            (
+                "02-sphere-hit far-textbook=20",
+                "20 is not among the snapshot_settings",
+            ),
             ("02-sphere-hit", "a figure of 02-sphere-hit names no view"),
         ] {
             let problem = prepare(&format!("{{{{#figure {command}}}}}\n")).unwrap_err();
@@ -160,16 +160,16 @@ mod a_page {
 
     #[test]
     fn gets_the_charts_of_a_study() {
-        for study in STUDIES {
+        for study in studies() {
             let command = format!("Before.\n\n{{{{#chart {}}}}}\n\nAfter.\n", study.name);
             let page = prepare(&command).unwrap();
-            let table = Table::from_csv(study.table).unwrap();
+            let table = study.table().unwrap();
             for expected in [
                 &escape(study.title),
                 &format!("Measured on {}", escape(&table.machine)),
                 &format!("<a href=\"studies/{}.csv\">", study.name),
-                "<span>--release</span> <span>--bin</span> <span>13-speed-and-accuracy</span>",
-                &format!("<span>--study</span> <span>{}</span></code>", study.name),
+                "<span>cargo</span> <span>bench</span> <span>--bench</span> <span>studies</span>",
+                &format!("<span>{}</span></code>", study.name),
             ] {
                 assert!(page.contains(expected), "no {expected} in {page}");
             }
@@ -178,7 +178,7 @@ mod a_page {
             let figure = figure.and_then(|page| page.strip_suffix("</div>\n\nAfter.\n"));
             let figure = figure.expect("a figure");
             assert!(!figure.contains("\n\n"), "{figure}");
-            let svg = chart::svg(study.title, study.charts, &table);
+            let svg = std::fs::read_to_string(study.path("svg")).unwrap();
             let lines = svg.lines().filter(|line| !line.is_empty());
             assert!(
                 figure.contains(&lines.collect::<Vec<_>>().join("\n")),
@@ -191,16 +191,15 @@ mod a_page {
     fn cannot_show_the_charts_of_what_is_no_study() {
         let problem = prepare("{{#chart spheres}}\n").unwrap_err().to_string();
         assert!(problem.contains("'spheres'"), "{problem}");
-        for study in STUDIES {
+        for study in studies() {
             assert!(problem.contains(study.name), "{problem}");
         }
     }
 
     #[test]
     fn gets_measured_numbers_wherever_they_stand_but_in_code() {
-        let ask = "{{#measured sphere; from afar; slide; 1000; wrong}}";
-        let table = Table::from_csv(sphere::STUDY.table).unwrap();
-        let number = table.number("from afar", "slide", 1e3, "wrong").unwrap();
+        let ask = "{{#measured sphere; from afar; textbook; 1000; wrong}}";
+        let number = measured("sphere; from afar; textbook; 1000; wrong").unwrap();
         let page = |number: &str| {
             format!(
                 "# Wrong: {number}\n\n{number} % is *wrong ({number} %)*, or $x = {number}$.\n\n\
@@ -209,7 +208,7 @@ mod a_page {
                  <p>{number}</p>\n\n`{ask}`, says\n\n```text\n{ask}\n```\n"
             )
         };
-        let expected = prepare(&page(&number.to_string())).unwrap();
+        let expected = prepare(&page(&number)).unwrap();
         assert_eq!(prepare(&page(ask)).unwrap(), expected);
         let broken = ask
             .replace("; ", ";\n  ")
@@ -221,33 +220,30 @@ mod a_page {
     fn cannot_know_a_number_that_nobody_measured() {
         for (asked, complaint) in [
             (
-                "cube; from afar; slide; 1000; wrong",
+                "cube; from afar; textbook; 1000; wrong",
                 "there is no study 'cube'",
             ),
+            ("sphere; afar; textbook; 1000; wrong", "no such row"),
+            ("sphere; from afar; textbok; 1000; wrong", "no such row"),
+            ("sphere; from afar; textbook; 1001; wrong", "no such row"),
             (
-                "sphere; afar; slide; 1000; wrong",
-                "no row afar, slide, 1000",
-            ),
-            (
-                "sphere; from afar; slid; 1000; wrong",
-                "no row from afar, slid, 1000",
-            ),
-            (
-                "sphere; from afar; slide; 1001; wrong",
-                "no row from afar, slide, 1001",
-            ),
-            (
-                "sphere; from afar; slide; far; wrong",
+                "sphere; from afar; textbook; far; wrong",
                 "“far” is not a number",
             ),
-            ("sphere; from afar; slide; 1000; scene", "no column “scene”"),
-            ("sphere; from afar; slide; 1000; work", "has no work"),
             (
-                "sphere; from afar; slide; 1000",
+                "sphere; from afar; textbook; 1000; scene",
+                "no column “scene”",
+            ),
+            (
+                "sphere; from afar; textbook; 1000; work",
+                "the cell is empty",
+            ),
+            (
+                "sphere; from afar; textbook; 1000",
                 "not STUDY; SCENE; METHOD;",
             ),
             (
-                "sphere; from afar; slide; 1000; wrong; ns",
+                "sphere; from afar; textbook; 1000; wrong; ns",
                 "not STUDY; SCENE;",
             ),
         ] {
@@ -262,7 +258,7 @@ mod a_page {
     #[test]
     fn gets_a_table_of_every_chapter() {
         let page = prepare("{{#stages}}\n").unwrap();
-        for stage in light_backwards::STAGES {
+        for stage in stages::STAGES {
             assert!(page.contains(&format!("({}.md)", stage.name)), "{page}");
         }
     }

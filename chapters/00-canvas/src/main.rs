@@ -1,5 +1,5 @@
 //! `cargo run --bin 00-canvas`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&canvas::STAGE)
+    preview::run(&canvas::STAGE)
 }

@@ -6,30 +6,34 @@ use crate::Picture;
 // ANCHOR: stage
 /// A chapter, as what it shows.
 pub struct Stage {
-    /// Number and name, `04-shadows`: the name of its binary, and the start of its
-    /// pictures' names.
+    /// The chapter's [`folder_name`], `04-shadows`: also the name of its program, and the
+    /// start of its pictures' names.
     pub name: &'static str,
     /// The idea, in a few words.
     pub title: &'static str,
-    /// What it shows; the first is the default.
+    /// The name of the view that is shown first, and large in the book.
+    pub hero: &'static str,
+    /// The names of the views that show a bug.
+    pub bugs: &'static [&'static str],
+    /// The pictures of the chapter, in the order in which the window shows them.
     pub views: &'static [View],
 }
 
-/// One picture of a chapter: a slide of the talk, a bug on purpose, or its cure.
+/// One picture of a chapter: a slide of the lecture, a bug on purpose, or its cure.
 pub struct View {
     /// Lower case, with hyphens: `beyond-buggy`.
     pub name: &'static str,
     /// What to look for; also the picture's text for those who cannot see it.
     pub caption: &'static str,
-    /// The one number the reader may turn.
+    /// The number that the reader may change, if there is one.
     pub knob: Option<Knob>,
-    /// From the knob's setting to what to paint. A view without a knob is given 0.
+    /// Returns the picture at a setting of the knob. A view without a knob is given 0.
     pub picture: fn(f32) -> Picture,
 }
 
-/// The one number of a view that the reader may turn.
+/// The number of a view that the reader may change.
 pub struct Knob {
-    /// What the number is.
+    /// The quantity.
     pub name: &'static str,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
@@ -41,8 +45,8 @@ pub struct Knob {
     pub default: f32,
     /// How it steps.
     pub scale: Scale,
-    /// Further settings that the page argues with: the snapshots pin them.
-    pub pinned: &'static [f32],
+    /// Further settings with a picture in the book.
+    pub snapshot_settings: &'static [f32],
 }
 
 /// How a knob steps from one setting to the next.
@@ -58,16 +62,25 @@ pub enum Scale {
 // ANCHOR_END: stage
 
 impl Stage {
-    /// The index of the view called `name`, if there is one.
+    /// Returns the view that is shown first.
+    ///
+    /// # Panics
+    /// If no view is called like [`Stage::hero`].
     #[must_use]
-    pub fn find(&self, name: &str) -> Option<usize> {
-        self.views.iter().position(|view| view.name == name)
+    pub fn hero(&self) -> &'static View {
+        self.view(self.hero).expect("`hero` names a view")
     }
 
-    /// What a picture of this stage is called, without an ending:
-    /// `02-sphere-hit--far-slide--knob-1000`.
+    /// Returns the view called `name`, or `None` if there is no such view.
+    #[must_use]
+    pub fn view(&self, name: &str) -> Option<&'static View> {
+        self.views.iter().find(|view| view.name == name)
+    }
+
+    /// Returns the name of a picture's file, without an extension:
+    /// `02-sphere-hit--far-stable--knob-10`.
     ///
-    /// The default setting is not named, and a name never holds a dot.
+    /// The default setting is not named, and the name holds no dot.
     #[must_use]
     pub fn picture_name(&self, view: &View, setting: f32) -> String {
         let name = format!("{}--{}", self.name, view.name);
@@ -79,7 +92,7 @@ impl Stage {
         }
     }
 
-    /// How a window's title begins: stage, view, and what the knob is set to.
+    /// Returns the beginning of a window's title: stage, view, and the knob's setting.
     #[must_use]
     pub fn title_of(&self, view: &View, setting: f32) -> String {
         let name = format!("{} | {}", self.name, view.name);
@@ -93,7 +106,7 @@ impl Stage {
 }
 
 impl View {
-    /// The setting to begin with: the knob's default, or 0 where there is none.
+    /// Returns the knob's default, or 0 if there is no knob.
     #[must_use]
     pub fn default_setting(&self) -> f32 {
         self.knob.as_ref().map_or(0.0, |knob| knob.default)
@@ -101,33 +114,33 @@ impl View {
 }
 
 impl Knob {
-    /// Whether `setting` is one: within the range, and whole where it must be.
+    /// Returns whether `setting` is within the range, and whole if it must be.
     #[must_use]
     pub fn accepts(&self, setting: f32) -> bool {
         (self.min..=self.max).contains(&setting)
             && (self.scale != Scale::Whole || setting.fract() == 0.0)
     }
 
-    /// The next setting up or down, never beyond the range.
+    /// Returns the next setting up or down, never beyond the range.
     #[must_use]
-    pub fn turned(&self, setting: f32, up: bool) -> f32 {
+    pub fn stepped(&self, setting: f32, up: bool) -> f32 {
         let step = match self.scale {
             Scale::Linear => (self.max - self.min) / 32.0,
             Scale::Logarithmic if up => setting,
             Scale::Logarithmic => setting / 2.0,
             Scale::Whole => 1.0,
         };
-        let turned = if up { setting + step } else { setting - step };
-        if turned > self.max {
+        let stepped = if up { setting + step } else { setting - step };
+        if stepped > self.max {
             self.max
-        } else if turned < self.min {
+        } else if stepped < self.min {
             self.min
         } else {
-            turned
+            stepped
         }
     }
 
-    /// The range in words: `1 to 256, whole`.
+    /// Returns the range in words: `1 to 256, whole`.
     #[must_use]
     pub fn range(&self) -> String {
         let whole = if self.scale == Scale::Whole {
@@ -138,4 +151,16 @@ impl Knob {
         let unit = if self.unit.is_empty() { "" } else { " " };
         format!("{} to {}{unit}{}{whole}", self.min, self.max, self.unit)
     }
+}
+
+/// Returns the last part of a path: of `env!("CARGO_MANIFEST_DIR")`, the name of the
+/// chapter's folder, so that its number stands nowhere in its source.
+#[must_use]
+pub const fn folder_name(path: &'static str) -> &'static str {
+    let bytes = path.as_bytes();
+    let mut start = bytes.len();
+    while start > 0 && bytes[start - 1] != b'/' && bytes[start - 1] != b'\\' {
+        start -= 1;
+    }
+    path.split_at(start).1
 }

@@ -1,12 +1,14 @@
-//! What chapter 0 shows.
+//! The chapter's pictures.
 
-use crate::{Picture, Stage, View};
+use crate::{Picture, Stage, View, folder_name};
 use glam::Vec3;
 
-/// Chapter 0.
+/// The chapter's description.
 pub const STAGE: Stage = Stage {
-    name: "00-canvas",
+    name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "A picture, and a window to see it in",
+    hero: "gradient",
+    bugs: &[],
     views: &[
         View {
             name: "gradient",
@@ -40,5 +42,5 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-/// The light that a screen gives off at level 128: ((128/255 + 0.055) / 1.055)^2.4.
+/// The light of a screen's level 128: ((128/255 + 0.055) / 1.055)^2.4.
 const LEVEL_128: f32 = 0.215_860_5;

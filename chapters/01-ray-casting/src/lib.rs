@@ -1,6 +1,9 @@
 // ANCHOR: head
 //! A ray for every pixel: from the eye, through the pixel, into the world.
+//!
+//! Coordinates are left-handed: x to the right, y up, z away from the viewer.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
@@ -8,17 +11,18 @@ use glam::{Vec2, Vec3};
 // ANCHOR_END: head
 
 // ANCHOR: ray
-/// A half-line: where it starts, and where it goes.
+/// A half-line: the points o + t d with t ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts.
+    /// o, its first point.
     pub origin: Vec3,
-    /// Where it goes: a unit vector, up to rounding.
+    /// d, a unit vector, up to rounding.
     pub direction: Vec3,
 }
 
 impl Ray {
-    /// The point at distance `t` along the ray: o + t d.
+    /// Returns the point at distance `t` along the ray: o + t d.
+    #[inline]
     #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + t * self.direction
@@ -27,12 +31,12 @@ impl Ray {
 // ANCHOR_END: ray
 
 // ANCHOR: camera
-/// An eye, and an image plane in front of it.
+/// A pinhole camera: an eye, and an image plane in front of it.
 ///
-/// `right`, `up` and `forward` are unit vectors at right angles to each other.
+/// `right`, `up` and `forward` are orthonormal; [`Camera::new`] makes them so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where all rays start.
+    /// The origin of all camera rays.
     pub eye: Vec3,
     /// The direction of the image plane's x.
     pub right: Vec3,
@@ -46,35 +50,37 @@ pub struct Camera {
 // ANCHOR_END: camera
 
 // ANCHOR: new
-/// The unit vector along `vector`; `None` if it has none: it is zero or not finite, or so
-/// short or so long that the square of its length is beyond f32.
+/// Returns the unit vector along `vector`. `None` if it is zero or not finite, or if the
+/// square of its length underflows or overflows f32 (a length below 1.1e-19 or above
+/// 1.8e19).
+#[inline]
 #[must_use]
-pub fn unit(vector: Vec3) -> Option<Vec3> {
-    let has_one = vector.length_squared().is_normal();
-    has_one.then(|| vector.normalize())
+pub fn checked_normalize(vector: Vec3) -> Option<Vec3> {
+    let is_normalizable = vector.length_squared().is_normal();
+    is_normalizable.then(|| vector.normalize())
 }
 
 /// The least sine of the angle between a camera's `forward` and `up`.
 ///
 /// A cross product of unit vectors is wrong by about 1e-7: below this, `right` would be
 /// off by a percent.
-const LEAST_SINE: f32 = 1e-5;
+const MIN_SIN_UP_ANGLE: f32 = 1e-5;
 
 impl Camera {
-    /// A camera at `eye` that looks along `forward`, with `up` somewhere above the middle
-    /// of the picture.
+    /// Returns a camera at `eye` that looks along `forward`, turned so that `up` points
+    /// upwards in the picture.
     ///
-    /// Neither direction need be a unit vector. Returns `None` where there is no such
-    /// camera: a direction has no [`unit`] vector, `forward` is parallel to `up`, the eye
-    /// is not finite, or the focal length is not a positive number.
+    /// Neither direction need be a unit vector. `None` if a direction cannot be normalised
+    /// ([`checked_normalize`]), if `forward` is parallel to `up`, if the eye is not finite,
+    /// or if the focal length is not positive and finite.
     #[must_use]
     pub fn new(eye: Vec3, forward: Vec3, up: Vec3, focal_length: f32) -> Option<Self> {
         if !(eye.is_finite() && focal_length > 0.0 && focal_length.is_finite()) {
             return None;
         }
-        let forward = unit(forward)?;
-        let right = unit(up)?.cross(forward);
-        if !(right.length() > LEAST_SINE) {
+        let forward = checked_normalize(forward)?;
+        let right = checked_normalize(up)?.cross(forward);
+        if !(right.length() > MIN_SIN_UP_ANGLE) {
             return None;
         }
         let right = right.normalize();
@@ -90,12 +96,12 @@ impl Camera {
     // ANCHOR_END: new
 
     // ANCHOR: cast
-    /// The ray from the eye through a `point` of the image plane.
+    /// Returns the ray from the eye through a `point` of the image plane.
     ///
-    /// Source: the talk's "Ray Tracing Basics" slide.
+    /// Source: the lecture's "Ray Tracing Basics" slide.
+    #[inline]
     #[must_use]
     pub fn ray(&self, point: Vec2) -> Ray {
-        canvas::count_ray();
         let direction =
             point.x * self.right + point.y * self.up + self.focal_length * self.forward;
         Ray {
@@ -107,16 +113,16 @@ impl Camera {
 // ANCHOR_END: cast
 
 // ANCHOR: trace
-/// The sky's linear light.
+/// The sky's radiance, linear.
 pub const SKY: Vec3 = Vec3::new(0.2, 0.5, 0.8);
 
-/// The ground's linear light, until there is a floor.
+/// The ground's radiance, linear, until there is a floor.
 pub const GROUND: Vec3 = Vec3::new(0.25, 0.2, 0.15);
 
-/// What a ray brings back from a world with nothing in it: sky above the horizon, ground
-/// below.
+/// Returns the radiance along a ray in an empty world: sky above the horizon, ground below.
 #[must_use]
 pub fn trace(ray: &Ray) -> Vec3 {
+    canvas::count_ray();
     if ray.direction.y > 0.0 { SKY } else { GROUND }
 }
 // ANCHOR_END: trace

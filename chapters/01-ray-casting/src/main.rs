@@ -1,5 +1,5 @@
 //! `cargo run --bin 01-ray-casting`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&ray_casting::STAGE)
+    preview::run(&ray_casting::STAGE)
 }

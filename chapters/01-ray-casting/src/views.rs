@@ -1,19 +1,22 @@
-//! What chapter 1 shows, and where the still life's camera stands.
+//! The chapter's pictures.
 
+use crate::scene::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
 use crate::{Camera, trace};
-use canvas::{Knob, Picture, Scale, Stage, View};
+use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use glam::Vec3;
 
-/// Chapter 1.
+/// The chapter's description.
 pub const STAGE: Stage = Stage {
-    name: "01-ray-casting",
+    name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "A ray for every pixel",
+    hero: "directions",
+    bugs: &[],
     views: &[
         View {
             name: "directions",
             caption: "Each pixel's ray as a colour: red grows with its x, green with its y, blue with its z.",
             knob: Some(FOCAL_LENGTH),
-            picture: |focal_length| directions(still_life_camera(focal_length)),
+            picture: |focal_length| directions(with_focal_length(focal_length)),
         },
         View {
             name: "sky-and-ground",
@@ -21,7 +24,7 @@ pub const STAGE: Stage = Stage {
                       the world, a long one little of it.",
             knob: Some(FOCAL_LENGTH),
             picture: |focal_length| {
-                let camera = still_life_camera(focal_length);
+                let camera = with_focal_length(focal_length);
                 Picture::new(move |pixel| trace(&camera.ray(pixel.centre())))
             },
         },
@@ -35,28 +38,23 @@ const FOCAL_LENGTH: Knob = Knob {
     max: 16.0,
     default: STILL_LIFE_FOCAL_LENGTH,
     scale: Scale::Logarithmic,
-    pinned: &[0.5],
+    snapshot_settings: &[0.5],
 };
 
-/// 1 / tan(45°/2) = 1 + √2: a vertical field of view of 45°.
-pub const STILL_LIFE_FOCAL_LENGTH: f32 = 1.0 + std::f32::consts::SQRT_2;
-
-/// The camera that every chapter looks at the still life with.
-///
-/// # Panics
-/// If `focal_length` is not a positive number.
-#[must_use]
-pub fn still_life_camera(focal_length: f32) -> Camera {
-    let eye = Vec3::new(0.0, 2.0, -7.0);
-    let forward = Vec3::new(0.0, -1.1, 7.0);
-    Camera::new(eye, forward, Vec3::Y, focal_length).expect("a camera that looks ahead")
+/// Returns the still life's camera with another focal length, in half-heights of the image.
+fn with_focal_length(focal_length: f32) -> Camera {
+    Camera {
+        focal_length,
+        ..still_life_camera()
+    }
 }
 
-/// Each ray's direction as a colour.
+/// Returns the picture of each camera ray's direction as a colour.
 #[must_use]
 pub fn directions(camera: Camera) -> Picture {
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());
+        canvas::count_ray();
         (ray.direction + Vec3::ONE) / 2.0
     })
 }

@@ -1,73 +1,59 @@
 // ANCHOR: head
-//! Where a ray meets a sphere: the slide's formula, how it fails, and one that does not.
+//! Where a ray meets a sphere: the textbook's formula, how it fails, and one that does
+//! not.
 
 pub mod views;
 pub use views::STAGE;
 
-use glam::Vec3;
-use ray_casting::{Ray, unit};
+use glam::{DVec3, Vec3};
+use ray_casting::{Ray, checked_normalize};
 // ANCHOR_END: head
 
 // ANCHOR: sphere
 /// The points at a distance of `radius` from `centre`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// The middle.
+    /// Its centre; finite.
     pub centre: Vec3,
-    /// Positive and finite.
+    /// Its radius; positive and finite.
     pub radius: f32,
 }
 
 impl Sphere {
-    /// A sphere; `None` if the radius is zero, negative or not finite, or the centre is
+    /// Returns a sphere. `None` if the radius is not positive and finite, or the centre is
     /// not finite.
     #[must_use]
     pub fn new(centre: Vec3, radius: f32) -> Option<Self> {
-        let is_one = centre.is_finite() && radius > 0.0 && radius.is_finite();
-        is_one.then_some(Self { centre, radius })
+        let is_valid = centre.is_finite() && radius > 0.0 && radius.is_finite();
+        is_valid.then_some(Self { centre, radius })
     }
 }
 // ANCHOR_END: sphere
 
-// ANCHOR: hit
-/// Where a ray meets a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// How far along the ray, in lengths of its direction; positive.
-    pub t: f32,
-    /// The surface's outward direction there; a unit vector.
-    pub normal: Vec3,
-}
+// ANCHOR: roots
+/// The greatest distance at which a ray can hit: the squares of longer ones overflow f32.
+pub const T_MAX: f32 = 1e18;
 
-/// As far as a ray can see: the squares of longer distances are beyond f32.
-pub const FARTHEST: f32 = 1e18;
-
-/// The first of two roots, in this order, that lies ahead of the ray and before `t_max`.
+/// Returns the first of two roots, in this order, with 0 < t < `t_max`.
+#[inline]
 fn first_ahead(roots: [f32; 2], t_max: f32) -> Option<f32> {
     // Written so that NaN is rejected.
     roots.into_iter().find(|&t| t > 0.0 && t < t_max)
 }
+// ANCHOR_END: roots
 
+// ANCHOR: quadratic
 impl Sphere {
-    /// The hit at distance `t`, which the sphere's equation has given.
-    fn hit_at(&self, ray: &Ray, t: f32) -> Option<Hit> {
-        // Dividing by the radius first keeps the squares in range for the smallest and
-        // largest spheres.
-        let normal = unit((ray.at(t) - self.centre) / self.radius)?;
-        Some(Hit { t, normal })
-    }
-    // ANCHOR_END: hit
-
-    // ANCHOR: slide
-    /// The first hit ahead of the ray and before `t_max`, by the slide's formula for unit
-    /// directions: t = −d·(o−c) ± √((d·(o−c))² − (‖o−c‖² − r²)).
+    /// Returns the distance to the first hit with 0 < t < `t_max`, by the textbook's formula
+    /// for unit directions: t = −d·(o−c) ± √((d·(o−c))² − (‖o−c‖² − r²)). `None` if there is
+    /// no such hit.
     ///
-    /// From a distance, or for a direction that is not quite a unit vector, it is wrong:
-    /// [`Sphere::hit`] is better.
+    /// From a distance, or for a direction that is not quite a unit vector, the result is
+    /// wrong: [`Sphere::distance`] is better.
     ///
-    /// Source: the talk's "Sphere-Ray intersection" slides.
+    /// Source: the lecture's "Sphere-Ray intersection" slides.
     #[must_use]
-    pub fn hit_by_slide(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
+    pub fn distance_quadratic(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let oc = ray.origin - self.centre;
         let b = ray.direction.dot(oc);
         let discriminant = b * b - (oc.dot(oc) - self.radius * self.radius);
@@ -75,45 +61,75 @@ impl Sphere {
             return None;
         }
         let root = discriminant.sqrt();
-        self.hit_at(ray, first_ahead([-b - root, -b + root], t_max)?)
+        first_ahead([-b - root, -b + root], t_max)
     }
-    // ANCHOR_END: slide
+}
+// ANCHOR_END: quadratic
 
-    // ANCHOR: stable
-    /// The first hit ahead of the ray and before `t_max`, from the ray's closest approach
-    /// to the centre.
+// ANCHOR: stable
+impl Sphere {
+    /// Returns the distance to the first hit with 0 < t < `t_max`, found from the ray's
+    /// closest approach to the centre. `None` if there is no such hit, or if the ray or the
+    /// sphere is not finite.
     ///
-    /// The direction need not be a unit vector. Returns `None` for a miss, and for a ray
-    /// or a sphere that is none: a zero direction, or anything that is not finite.
+    /// The direction need not be a unit vector; the distance is in units of its length. A
+    /// zero direction hits nothing.
     ///
     /// Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems (2019), ch. 7.
+    #[inline]
     #[must_use]
-    pub fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
+    pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let oc = ray.origin - self.centre;
         let d_dot_d = ray.direction.dot(ray.direction);
-        // The closest approach: t, and the way from the centre to there, perpendicular to
-        // the ray.
+        // The closest approach: its t, and the vector to it from the centre, perpendicular
+        // to the ray.
         let t_closest = -ray.direction.dot(oc) / d_dot_d;
-        let closest = oc + t_closest * ray.direction;
-        // Pythagoras: the chord's half is the other leg of a right triangle.
-        let half_chord_squared = self.radius * self.radius - closest.dot(closest);
+        let perpendicular = oc + t_closest * ray.direction;
+        // Pythagoras: half the chord is the other leg of a right triangle.
+        let half_chord_squared =
+            self.radius * self.radius - perpendicular.dot(perpendicular);
         if !(half_chord_squared >= 0.0) {
             return None;
         }
         let t_half = (half_chord_squared / d_dot_d).sqrt();
-        self.hit_at(
-            ray,
-            first_ahead([t_closest - t_half, t_closest + t_half], t_max)?,
-        )
+        first_ahead([t_closest - t_half, t_closest + t_half], t_max)
     }
-    // ANCHOR_END: stable
+}
+// ANCHOR_END: stable
 
-    // ANCHOR: f64
-    /// The same as [`Sphere::hit`], in f64 from the ray to the normal.
+// ANCHOR: normal
+impl Sphere {
+    /// Returns the outward unit normal at a `point` of the surface.
     ///
-    /// For a finite ray and sphere it is right to the last bit of an f32, up to a
-    /// distance of 10⁷ radii.
+    /// A point that rounding has put into the very centre, or so far off that the squares
+    /// overflow, has no normal: then it is [`Vec3::Y`], so that a hit is never lost for want
+    /// of one.
+    #[inline]
+    #[must_use]
+    pub fn normal(&self, point: Vec3) -> Vec3 {
+        // Dividing by the radius first keeps the squares in range for the smallest and
+        // largest spheres.
+        checked_normalize((point - self.centre) / self.radius).unwrap_or(Vec3::Y)
+    }
+}
+// ANCHOR_END: normal
+
+// ANCHOR: f64
+/// A hit whose distance and normal come from one calculation in f64.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Its distance along the ray, in lengths of the direction; positive.
+    pub t: f32,
+    /// The outward unit normal.
+    pub normal: Vec3,
+}
+
+impl Sphere {
+    /// Returns the hit that [`Sphere::distance`] looks for, calculated in f64 throughout.
+    ///
+    /// Up to a distance of 10⁷ radii, `t` is within a unit in its last place, and the normal
+    /// within 10⁻⁷ radians.
     #[must_use]
     pub fn hit_in_f64(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let direction = ray.direction.as_dvec3();
@@ -121,8 +137,8 @@ impl Sphere {
         let radius = f64::from(self.radius);
         let d_dot_d = direction.dot(direction);
         let t_closest = -direction.dot(oc) / d_dot_d;
-        let closest = oc + t_closest * direction;
-        let half_chord_squared = radius * radius - closest.dot(closest);
+        let perpendicular = oc + t_closest * direction;
+        let half_chord_squared = radius * radius - perpendicular.dot(perpendicular);
         if !(half_chord_squared >= 0.0) {
             return None;
         }
@@ -131,25 +147,27 @@ impl Sphere {
             let t = (t_closest + from_closest) as f32;
             t > 0.0 && t < t_max
         })?;
-        let normal = (closest + from_closest * direction) / radius;
+        let normal = (perpendicular + from_closest * direction) / radius;
         Some(Hit {
             t: (t_closest + from_closest) as f32,
-            normal: normal.try_normalize()?.as_vec3(),
+            normal: normal.normalize_or(DVec3::Y).as_vec3(),
         })
     }
 }
 // ANCHOR_END: f64
 
-// ANCHOR: facing
-/// The `normal` on the side that a ray along `incident` comes from.
+// ANCHOR: face-forward
+/// Returns `normal` or its opposite, whichever faces a ray along `incident`: outside a
+/// sphere that is the outward normal, inside the sphere the inward one.
 ///
-/// Outside a sphere that is its own normal, inside it the opposite one.
+/// Source: the OpenGL Shading Language's `faceforward`.
+#[inline]
 #[must_use]
-pub fn facing(normal: Vec3, incident: Vec3) -> Vec3 {
+pub fn face_forward(normal: Vec3, incident: Vec3) -> Vec3 {
     if normal.dot(incident) > 0.0 {
         -normal
     } else {
         normal
     }
 }
-// ANCHOR_END: facing
+// ANCHOR_END: face-forward

@@ -1,5 +1,5 @@
 //! `cargo run --bin 02-sphere-hit`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&sphere_hit::STAGE)
+    preview::run(&sphere_hit::STAGE)
 }

@@ -1,29 +1,29 @@
-//! What chapter 2 shows.
+//! The chapter's pictures.
 
-use crate::{FARTHEST, Hit, Sphere};
-use canvas::{Knob, Picture, Scale, Stage, View};
+use crate::{Sphere, T_MAX};
+use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use glam::{Vec2, Vec3};
-use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
+use ray_casting::scene::still_life_camera;
 use ray_casting::{Camera, Ray, SKY};
 
-/// Chapter 2.
+/// The chapter's description.
 pub const STAGE: Stage = Stage {
-    name: "02-sphere-hit",
-    title: "Where a ray meets a sphere",
+    name: folder_name(env!("CARGO_MANIFEST_DIR")),
+    title: "Where a ray hits a sphere",
+    hero: "flat",
+    bugs: &["far-textbook"],
     views: &[
         View {
             name: "flat",
             caption: "The still life's first sphere: red where the ray hits it, the empty world where it does not.",
             knob: None,
-            picture: |_| first_sphere(still_life_camera(STILL_LIFE_FOCAL_LENGTH), red),
+            picture: |_| first_sphere(still_life_camera(), red),
         },
         View {
             name: "normals",
             caption: "The same sphere's normals as colours: red to the right, green up, blue away from you.",
             knob: None,
-            picture: |_| {
-                first_sphere(still_life_camera(STILL_LIFE_FOCAL_LENGTH), normal_as_colour)
-            },
+            picture: |_| first_sphere(still_life_camera(), normal_as_colour),
         },
         View {
             name: "miss",
@@ -44,16 +44,16 @@ pub const STAGE: Stage = Stage {
             picture: |_| cross_section(0.25),
         },
         View {
-            name: "far-slide",
-            caption: "A sphere from afar, by the slide's formula: it frays, then it is lost.",
+            name: "far-textbook",
+            caption: "A sphere from afar, by the textbook's formula: the farther away, the worse.",
             knob: Some(DISTANCE),
-            picture: |distance| from_afar(distance, Sphere::hit_by_slide),
+            picture: |distance| from_afar(distance, Sphere::distance_quadratic),
         },
         View {
             name: "far-stable",
             caption: "The same sphere from the same distance, by the stable formula: as round as ever.",
             knob: Some(DISTANCE),
-            picture: |distance| from_afar(distance, Sphere::hit),
+            picture: |distance| from_afar(distance, Sphere::distance),
         },
     ],
 };
@@ -65,34 +65,39 @@ const DISTANCE: Knob = Knob {
     max: 1e6,
     default: 1000.0,
     scale: Scale::Logarithmic,
-    pinned: &[10.0, 100.0, 1e4, 1e6],
+    snapshot_settings: &[10.0, 100.0, 1e4, 1e6],
 };
 
-fn normal_as_colour(hit: Hit) -> Vec3 {
-    (hit.normal + Vec3::ONE) / 2.0
+fn normal_as_colour(normal: Vec3) -> Vec3 {
+    (normal + Vec3::ONE) / 2.0
 }
 
-/// The first sphere's colour, wherever it is hit.
+/// Returns the first sphere's colour, whatever the normal.
 #[must_use]
-pub fn red(_: Hit) -> Vec3 {
+pub fn red(_: Vec3) -> Vec3 {
     Vec3::new(0.9, 0.15, 0.1)
 }
 
-/// The still life's first sphere, coloured by where it is hit, in an empty world.
+/// Returns the picture of the still life's first sphere in an empty world; its colour may
+/// depend on the normal.
 #[must_use]
-pub fn first_sphere(camera: Camera, colour: fn(Hit) -> Vec3) -> Picture {
+pub fn first_sphere(camera: Camera, colour: fn(Vec3) -> Vec3) -> Picture {
     let sphere = Sphere::new(Vec3::new(-2.2, 0.8, 1.0), 0.8).expect("a sphere");
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());
-        match sphere.hit(&ray, FARTHEST) {
-            Some(hit) => colour(hit),
+        match sphere.distance(&ray, T_MAX) {
+            Some(t) => {
+                canvas::count_ray();
+                colour(sphere.normal(ray.at(t)))
+            }
             None => ray_casting::trace(&ray),
         }
     })
 }
 
-/// A sphere of radius 1 whose surface is `distance` away, through a lens so long that it fills most of the picture.
-fn from_afar(distance: f32, hit: fn(&Sphere, &Ray, f32) -> Option<Hit>) -> Picture {
+/// Returns the picture of a sphere of radius 1 whose surface is `distance` away, by a focal
+/// length so long that the sphere fills most of the picture.
+fn from_afar(distance: f32, intersect: fn(&Sphere, &Ray, f32) -> Option<f32>) -> Picture {
     let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
     let to_centre = 1.0 + distance;
     // The rays that touch the sphere make an angle with sin = 1 / to_centre: its tangent, times the
@@ -101,7 +106,12 @@ fn from_afar(distance: f32, hit: fn(&Sphere, &Ray, f32) -> Option<Hit>) -> Pictu
     let eye = Vec3::new(0.0, 0.0, -to_centre);
     let camera = Camera::new(eye, Vec3::Z, Vec3::Y, focal_length).expect("a camera");
     Picture::new(move |pixel| {
-        hit(&sphere, &camera.ray(pixel.centre()), FARTHEST).map_or(SKY, normal_as_colour)
+        let ray = camera.ray(pixel.centre());
+        canvas::count_ray();
+        match intersect(&sphere, &ray, T_MAX) {
+            Some(t) => normal_as_colour(sphere.normal(ray.at(t))),
+            None => SKY,
+        }
     })
 }
 
@@ -114,10 +124,10 @@ const PAPER_SPHERE: Sphere = Sphere {
 fn cross_section(height: f32) -> Picture {
     let start = Vec2::new(-1.1, height);
     let end = Vec2::new(1.3, height);
-    // The far hit is the first one for whoever comes from the other side.
+    // The far hit is the first one of the ray that comes from the other side.
     let there = ray_on_paper(start, Vec2::X);
     let back = ray_on_paper(end, Vec2::NEG_X);
-    let hits = [there, back].map(|ray| Some(ray.at(PAPER_SPHERE.hit(&ray, FARTHEST)?.t)));
+    let hits = [there, back].map(|ray| Some(ray.at(PAPER_SPHERE.distance(&ray, T_MAX)?)));
     let hits = hits.into_iter().flatten().map(Vec3::truncate).collect();
     drawing(start, end, hits, |point| {
         point.distance(PAPER_SPHERE.centre.truncate()) - PAPER_SPHERE.radius
@@ -161,7 +171,8 @@ pub fn drawing(
     })
 }
 
-/// How much of a pixel is covered by what has its edge at a `distance`, negative inside: 0 to 1.
+/// Returns the fraction of a pixel, 0 to 1, that is covered by a shape whose edge is at a
+/// `distance`, negative inside.
 fn coverage(distance: f32, footprint: f32) -> f32 {
     let covered = 0.5 - distance / footprint;
     if covered > 1.0 {

@@ -1,58 +1,54 @@
 // ANCHOR: head
-//! A floor to stand on, and the nearest of many things.
+//! A floor, and the nearest of many objects.
 
-mod still_life;
+pub mod scene;
 pub mod views;
-pub use still_life::still_life;
 pub use views::STAGE;
 
 use glam::{Vec2, Vec3};
-use ray_casting::{Ray, SKY, unit};
-use sphere_hit::{FARTHEST, Hit, Sphere};
+use ray_casting::{Ray, SKY, checked_normalize};
+use sphere_hit::{Sphere, T_MAX};
 // ANCHOR_END: head
 
 // ANCHOR: plane
 /// The points x with (x − `point`) · `normal` = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Any one of its points.
+    /// Any point of the plane; finite.
     pub point: Vec3,
-    /// The direction at right angles to it; a unit vector.
+    /// The unit vector perpendicular to the plane.
     pub normal: Vec3,
 }
 
 impl Plane {
-    /// A plane; `None` if `normal`, which need not be a unit vector, has no [`unit`]
-    /// vector, or if the point is not finite.
+    /// Returns a plane; `normal` need not be a unit vector. `None` if it cannot be
+    /// normalised ([`checked_normalize`]), or if the point is not finite.
     #[must_use]
     pub fn new(point: Vec3, normal: Vec3) -> Option<Self> {
-        let normal = unit(normal)?;
+        let normal = checked_normalize(normal)?;
         point.is_finite().then_some(Self { point, normal })
     }
-    // ANCHOR_END: plane
+}
+// ANCHOR_END: plane
 
-    // ANCHOR: hit
-    /// The hit ahead of the ray and before `t_max`: t = (x₀ − o)·n / (d·n).
+// ANCHOR: distance
+impl Plane {
+    /// Returns the distance to the hit, t = (x₀ − o)·n / (d·n), if 0 < t < `t_max`. `None`
+    /// otherwise, and for a ray that is parallel to the plane or lies in it.
     ///
-    /// Returns `None` for a ray that runs beside the plane or lies in it, and for one
-    /// that meets it beyond `t_max`. The direction need not be a unit vector.
+    /// The direction need not be a unit vector; the distance is in units of its length.
     ///
-    /// Source: the talk's "Plane-Ray intersection" slides.
+    /// Source: the lecture's "Plane-Ray intersection" slides.
+    #[inline]
     #[must_use]
-    pub fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
+    pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let t =
             (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
-        // Beside the plane t is infinite, in it NaN: both are rejected here.
-        if !(t > 0.0 && t < t_max) {
-            return None;
-        }
-        Some(Hit {
-            t,
-            normal: self.normal,
-        })
+        // Parallel to the plane t is infinite, in the plane NaN: both are rejected here.
+        (t > 0.0 && t < t_max).then_some(t)
     }
 }
-// ANCHOR_END: hit
+// ANCHOR_END: distance
 
 // ANCHOR: object
 /// What a ray can hit.
@@ -60,56 +56,101 @@ impl Plane {
 pub enum Shape {
     /// A ball.
     Sphere(Sphere),
-    /// A floor.
+    /// A floor or a wall.
     Plane(Plane),
 }
 
-/// A thing in the picture, made of whatever a chapter calls a material.
+/// An object of the scene, made of what a chapter calls a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object<M> {
-    /// What we call it.
+    /// Its name.
     pub name: &'static str,
-    /// Where it is.
+    /// Its shape and position.
     pub shape: Shape,
-    /// What it is made of.
+    /// Its material.
     pub material: M,
 }
 
 impl Shape {
-    /// The first hit ahead of the ray and before `t_max`.
+    /// Returns a sphere.
+    ///
+    /// # Panics
+    /// If [`Sphere::new`] returns `None`.
     #[must_use]
-    pub fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
+    pub fn sphere(centre: Vec3, radius: f32) -> Self {
+        Self::Sphere(Sphere::new(centre, radius).expect("a valid sphere"))
+    }
+
+    /// Returns a plane.
+    ///
+    /// # Panics
+    /// If [`Plane::new`] returns `None`.
+    #[must_use]
+    pub fn plane(point: Vec3, normal: Vec3) -> Self {
+        Self::Plane(Plane::new(point, normal).expect("a valid plane"))
+    }
+
+    /// Returns the distance to the first hit with 0 < t < `t_max`. `None` if there is none.
+    #[inline]
+    #[must_use]
+    pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         match self {
-            Shape::Sphere(sphere) => sphere.hit(ray, t_max),
-            Shape::Plane(plane) => plane.hit(ray, t_max),
+            Self::Sphere(sphere) => sphere.distance(ray, t_max),
+            Self::Plane(plane) => plane.distance(ray, t_max),
+        }
+    }
+
+    /// Returns the outward unit normal at a `point` of the surface.
+    #[inline]
+    #[must_use]
+    pub fn normal(&self, point: Vec3) -> Vec3 {
+        match self {
+            Self::Sphere(sphere) => sphere.normal(point),
+            Self::Plane(plane) => plane.normal,
+        }
+    }
+}
+
+impl<M> Object<M> {
+    /// Returns the same object with another material.
+    pub fn map<N>(self, material: impl FnOnce(M) -> N) -> Object<N> {
+        Object {
+            name: self.name,
+            shape: self.shape,
+            material: material(self.material),
         }
     }
 }
 // ANCHOR_END: object
 
 // ANCHOR: nearest
-/// The object that the ray meets first, and where; of two at the same distance, the first
-/// in the list.
+/// Returns the index of the object that the ray hits first, and the distance to the hit.
+/// `None` if it hits nothing. Counts one ray.
+///
+/// Of two objects at the same distance it is the first in the list.
+#[inline]
 #[must_use]
-pub fn nearest<'a, M>(
-    objects: &'a [Object<M>],
-    ray: &Ray,
-) -> Option<(&'a Object<M>, Hit)> {
-    nearest_by(objects, |object, t_max| object.shape.hit(ray, t_max))
+pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
+    nearest_by(objects, |_, object, t_max| {
+        object.shape.distance(ray, t_max)
+    })
 }
 
-/// The nearest of the objects, by whatever says where one is hit before some `t_max`.
+/// Returns the same by another way to intersect an object: from its index, the object and
+/// `t_max` to the distance of the first hit with 0 < t < `t_max`.
+#[inline]
 #[must_use]
-pub fn nearest_by<'a, M>(
-    objects: &'a [Object<M>],
-    hit: impl Fn(&'a Object<M>, f32) -> Option<Hit>,
-) -> Option<(&'a Object<M>, Hit)> {
+pub fn nearest_by<M>(
+    objects: &[Object<M>],
+    distance: impl Fn(usize, &Object<M>, f32) -> Option<f32>,
+) -> Option<(usize, f32)> {
+    canvas::count_ray();
     let mut nearest = None;
-    let mut t_max = FARTHEST;
-    for object in objects {
-        if let Some(hit) = hit(object, t_max) {
-            t_max = hit.t;
-            nearest = Some((object, hit));
+    let mut t_max = T_MAX;
+    for (index, object) in objects.iter().enumerate() {
+        if let Some(t) = distance(index, object, t_max) {
+            t_max = t;
+            nearest = Some((index, t));
         }
     }
     nearest
@@ -117,19 +158,21 @@ pub fn nearest_by<'a, M>(
 // ANCHOR_END: nearest
 
 // ANCHOR: checker
-/// Whether a point of a floor is on an even square of a chequerboard; `uv` are two
-/// coordinates in its plane.
+/// Returns whether a point of a floor lies in an even square of a checkerboard; `uv` are its
+/// two coordinates in the floor's plane.
 ///
-/// The parity is taken in floats: an integer cannot hold the squares near the horizon.
+/// The parity is calculated in floats: no integer holds the numbers of the squares near the
+/// horizon.
+#[inline]
 #[must_use]
 pub fn is_even(uv: Vec2) -> bool {
     let sum = uv.x.floor() + uv.y.floor();
     sum - 2.0 * (sum / 2.0).floor() == 0.0
 }
 
-/// The same by all three coordinates of the point, which looks right and is not: on a
-/// floor at a whole height, `point.y` is that height give or take a rounding, and `floor`
-/// takes it for two.
+/// Returns whether a point lies in an even cube of a three-dimensional checkerboard. Used for
+/// a floor, this is a bug: at a whole height, rounding puts `point.y` above or below it, and
+/// `floor` gives two different numbers.
 #[must_use]
 pub fn is_even_in_space(point: Vec3) -> bool {
     let sum = point.x.floor() + point.y.floor() + point.z.floor();
@@ -137,23 +180,24 @@ pub fn is_even_in_space(point: Vec3) -> bool {
 }
 // ANCHOR_END: checker
 
-// ANCHOR: pattern
-/// The colour of a surface, linear, from 0 to 1.
+// ANCHOR: texture
+/// The colour of a surface, linear, each component from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pattern {
+pub enum Texture {
     /// The same everywhere.
-    Plain(Vec3),
-    /// Squares of side 1 in the plane y = 0, even and odd.
+    Solid(Vec3),
+    /// Squares of side 1 by the point's x and z, for a horizontal plane: even and odd.
     Checker(Vec3, Vec3),
 }
 
-impl Pattern {
-    /// The colour at a `point` of the surface.
+impl Texture {
+    /// Returns the colour at a `point` of the surface.
+    #[inline]
     #[must_use]
-    pub fn at(&self, point: Vec3) -> Vec3 {
+    pub fn value(&self, point: Vec3) -> Vec3 {
         match *self {
-            Pattern::Plain(colour) => colour,
-            Pattern::Checker(even, odd) => {
+            Self::Solid(colour) => colour,
+            Self::Checker(even, odd) => {
                 if is_even(Vec2::new(point.x, point.z)) {
                     even
                 } else {
@@ -163,14 +207,14 @@ impl Pattern {
         }
     }
 }
-// ANCHOR_END: pattern
+// ANCHOR_END: texture
 
 // ANCHOR: trace
-/// What a ray brings back: the flat colour of the nearest object, or the sky.
+/// Returns the flat colour of the first object that the ray hits, or the sky's.
 #[must_use]
-pub fn trace(objects: &[Object<Pattern>], ray: &Ray) -> Vec3 {
+pub fn trace(objects: &[Object<Texture>], ray: &Ray) -> Vec3 {
     match nearest(objects, ray) {
-        Some((object, hit)) => object.material.at(ray.at(hit.t)),
+        Some((index, t)) => objects[index].material.value(ray.at(t)),
         None => SKY,
     }
 }

@@ -2,119 +2,165 @@
 //! Shadows: from every hit a ray towards the light, and darkness if something is in its
 //! way.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
 use glam::Vec3;
-use plane_hit::{Object, Pattern, nearest};
+use plane_hit::{Object, Texture, nearest};
 use ray_casting::Ray;
-use sphere_hit::{FARTHEST, facing};
+use sphere_hit::{T_MAX, face_forward};
 // ANCHOR_END: head
 
 // ANCHOR: scene
-/// A lamp too small to see; its light does not fade with distance.
+/// A light source too small to see; its light does not fade with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    /// Where it hangs.
+    /// Its position.
     pub position: Vec3,
-    /// How strong it is; 1 lights a white surface that faces it to full white.
+    /// Its intensity; 1 lights a white surface that faces the light to full white.
     pub intensity: f32,
 }
 
-/// What there is to see, and by which light.
+/// Objects, and the lights that shine on them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<M> {
-    /// Everything a ray can hit.
+    /// All that a ray can hit.
     pub objects: Vec<Object<M>>,
-    /// Every lamp.
+    /// All light sources.
     pub lights: Vec<PointLight>,
-    /// The linear light of a ray that hits nothing.
+    /// The radiance, linear, along a ray that hits nothing.
     pub background: Vec3,
+}
+
+impl<M> Scene<M> {
+    /// Returns the same scene with other materials.
+    pub fn map<N>(self, material: impl Fn(M) -> N) -> Scene<N> {
+        let objects = self.objects.into_iter();
+        Scene {
+            objects: objects.map(|object| object.map(&material)).collect(),
+            lights: self.lights,
+            background: self.background,
+        }
+    }
 }
 // ANCHOR_END: scene
 
-// ANCHOR: shadow-ray
-/// How far from a surface, along its normal, a shadow ray starts: a ten-thousandth of a
-/// ball of radius 1.
+// ANCHOR: interaction
+/// What shading needs to know of a ray's hit.
 ///
-/// A computed hit lies a little above or below the surface, and from below the surface
-/// would shadow itself. A fixed distance is right for scenes about as large as ours, and
-/// for no other: chapter 10 shows where it fails, and the cure.
-pub const OFFSET: f32 = 1e-4;
-
-/// The ray from a `point` on a surface towards a light, and the distance to go; `None`
-/// for a light behind the surface, which hides it: from above the surface, a ray could
-/// slip past its edge.
-fn shadow_ray(point: Vec3, normal: Vec3, light: &PointLight) -> Option<(Ray, f32)> {
-    let origin = point + OFFSET * normal;
-    let to_light = light.position - origin;
-    if !(normal.dot(to_light) > 0.0) {
-        return None;
-    }
-    canvas::count_ray();
-    let direction = to_light.normalize();
-    Some((Ray { origin, direction }, to_light.length()))
+/// Source: `SurfaceInteraction` in Pharr, Jakob and Humphreys, Physically Based Rendering.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interaction {
+    /// The object's index in the scene.
+    pub index: usize,
+    /// The distance along the ray.
+    pub t: f32,
+    /// The point.
+    pub point: Vec3,
+    /// The ray's direction; a unit vector.
+    pub incident: Vec3,
+    /// The surface's outward unit normal.
+    pub outward: Vec3,
+    /// The unit normal on the side from which the ray comes.
+    pub normal: Vec3,
 }
 
-/// Whether anything is in the ray's way before `t_max`; the first blocker ends the
-/// search.
-fn is_blocked<M>(scene: &Scene<M>, ray: &Ray, t_max: f32) -> bool {
-    let mut objects = scene.objects.iter();
-    objects.any(|object| object.shape.hit(ray, t_max).is_some())
+impl Interaction {
+    /// Returns the interaction of `ray` with the object that it hits: its index, and the
+    /// distance.
+    #[inline]
+    #[must_use]
+    pub fn new<M>(objects: &[Object<M>], ray: &Ray, (index, t): (usize, f32)) -> Self {
+        let point = ray.at(t);
+        let outward = objects[index].shape.normal(point);
+        Self {
+            index,
+            t,
+            point,
+            incident: ray.direction,
+            outward,
+            normal: face_forward(outward, ray.direction),
+        }
+    }
+}
+// ANCHOR_END: interaction
+
+// ANCHOR: shadow-ray
+/// The distance from a surface, along its normal, at which a new ray starts: a
+/// ten-thousandth of the radius of a ball of radius 1.
+///
+/// Rounding puts a computed hit above or below the surface, and from below it the surface
+/// would shadow itself. A fixed distance is right for scenes about as large as ours, and for
+/// no other: the chapter about shadow acne shows where it fails, and the cure.
+pub const SHADOW_BIAS: f32 = 1e-4;
+
+/// Returns the ray from a hit towards a light, and the distance to the light. `None` if the
+/// light is behind the surface, which hides it: a ray from above the surface could slip past
+/// its edge.
+fn shadow_ray(at: &Interaction, light: &PointLight) -> Option<(Ray, f32)> {
+    let origin = at.point + SHADOW_BIAS * at.normal;
+    let to_light = light.position - origin;
+    if !(at.normal.dot(to_light) > 0.0) {
+        return None;
+    }
+    let (direction, distance) = to_light.normalize_and_length();
+    Some((Ray { origin, direction }, distance))
+}
+
+/// Returns whether any object is hit with 0 < t < `t_max`; the first one found ends the
+/// search. Counts one ray.
+#[inline]
+#[must_use]
+pub fn is_occluded<M>(objects: &[Object<M>], ray: &Ray, t_max: f32) -> bool {
+    canvas::count_ray();
+    let mut objects = objects.iter();
+    objects.any(|object| object.shape.distance(ray, t_max).is_some())
 }
 // ANCHOR_END: shadow-ray
 
-// ANCHOR: reaches
-/// Whether the light reaches a `point`, on the side of the surface that `normal`, a unit
-/// vector, points to.
+// ANCHOR: visible
+/// Returns whether a light is visible from a hit.
 ///
-/// Source: the talk's "Now with Shadows" slide.
+/// Source: the lecture's "Now with Shadows" slide.
 #[must_use]
-pub fn light_reaches<M>(
-    scene: &Scene<M>,
-    point: Vec3,
-    normal: Vec3,
-    light: &PointLight,
-) -> bool {
-    shadow_ray(point, normal, light)
-        .is_some_and(|(ray, distance)| !is_blocked(scene, &ray, distance))
+pub fn is_visible<M>(scene: &Scene<M>, at: &Interaction, light: &PointLight) -> bool {
+    shadow_ray(at, light)
+        .is_some_and(|(ray, distance)| !is_occluded(&scene.objects, &ray, distance))
 }
-// ANCHOR_END: reaches
+// ANCHOR_END: visible
 
 // ANCHOR: buggy
-/// The talk's buggy shadow: whatever lies in the light's direction blocks it, even from
-/// beyond.
+/// The lecture's buggy shadow: an object beyond the light occludes it, too.
 #[must_use]
-pub fn light_reaches_buggy<M>(
+pub fn is_visible_buggy<M>(
     scene: &Scene<M>,
-    point: Vec3,
-    normal: Vec3,
+    at: &Interaction,
     light: &PointLight,
 ) -> bool {
-    shadow_ray(point, normal, light)
-        .is_some_and(|(ray, _)| !is_blocked(scene, &ray, FARTHEST))
+    shadow_ray(at, light)
+        .is_some_and(|(ray, _)| !is_occluded(&scene.objects, &ray, T_MAX))
 }
 // ANCHOR_END: buggy
 
 // ANCHOR: trace
-/// What decides whether a light reaches a point with a normal.
-pub type Reaches<M> = fn(&Scene<M>, Vec3, Vec3, &PointLight) -> bool;
+/// What decides whether a light is visible from a hit.
+pub type Visibility<M> = fn(&Scene<M>, &Interaction, &PointLight) -> bool;
 
-/// What a ray brings back: the flat colour of what it meets first, times the light that
-/// reaches it.
+/// Returns the flat colour of the first object that the ray hits, times the intensity of the
+/// lights that are visible from there; or the background.
 #[must_use]
-pub fn trace(scene: &Scene<Pattern>, ray: &Ray, reaches: Reaches<Pattern>) -> Vec3 {
-    let Some((object, hit)) = nearest(&scene.objects, ray) else {
+pub fn trace(scene: &Scene<Texture>, ray: &Ray, is_visible: Visibility<Texture>) -> Vec3 {
+    let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
     };
-    let point = ray.at(hit.t);
-    let normal = facing(hit.normal, ray.direction);
+    let at = Interaction::new(&scene.objects, ray, hit);
     let mut intensity = 0.0;
     for light in &scene.lights {
-        if reaches(scene, point, normal, light) {
+        if is_visible(scene, &at, light) {
             intensity += light.intensity;
         }
     }
-    intensity * object.material.at(point)
+    intensity * scene.objects[at.index].material.value(at.point)
 }
 // ANCHOR_END: trace

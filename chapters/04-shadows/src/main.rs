@@ -1,5 +1,5 @@
 //! `cargo run --bin 04-shadows`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&shadows::STAGE)
+    preview::run(&shadows::STAGE)
 }

@@ -1,93 +1,73 @@
-//! What chapter 4 shows, and the still life's lights.
+//! The chapter's pictures.
 
-use crate::{PointLight, Reaches, Scene, light_reaches, light_reaches_buggy, trace};
-use canvas::{Picture, Stage, View};
+use crate::scene::lit_still_life;
+use crate::{PointLight, Scene, Visibility, is_visible, is_visible_buggy, trace};
+use canvas::{Picture, Stage, View, folder_name};
 use glam::Vec3;
-use plane_hit::views::STILL_LIFE_COLOURS;
-use plane_hit::{Object, Pattern, Plane, Shape, still_life};
-use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
+use plane_hit::scene::STILL_LIFE_COLOURS;
+use plane_hit::{Object, Shape, Texture};
+use ray_casting::scene::still_life_camera;
 use ray_casting::{Camera, SKY};
-use sphere_hit::Sphere;
 
-/// Chapter 4.
+/// The chapter's description.
 pub const STAGE: Stage = Stage {
-    name: "04-shadows",
+    name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "What the light does not reach",
+    hero: "hard",
+    bugs: &["beyond-buggy"],
     views: &[
         View {
             name: "hard",
-            caption: "The still life with the shadows of its two lights: half-dark where one is hidden, black where both are.",
+            caption: "The still life with the shadows of its two lights: darker where one is hidden, black where both are.",
             knob: None,
-            picture: |_| {
-                still_life_by(still_life_camera(STILL_LIFE_FOCAL_LENGTH), light_reaches)
-            },
+            picture: |_| still_life_by(still_life_camera(), is_visible),
         },
         View {
             name: "none",
             caption: "Without shadows: every light reaches everything, and the spheres seem to float.",
             knob: None,
-            picture: |_| {
-                still_life_by(still_life_camera(STILL_LIFE_FOCAL_LENGTH), |_, _, _, _| {
-                    true
-                })
-            },
+            picture: |_| still_life_by(still_life_camera(), |_, _, _| true),
         },
         View {
-            name: "lamp-buggy",
-            caption: "The bug: the lamp hangs between the balls, and the upper ball, beyond the lamp, darkens the floor.",
+            name: "beyond-buggy",
+            caption: "The bug: the light hangs between the balls, and the upper ball, beyond it, darkens the floor.",
             knob: None,
-            picture: |_| lamp_between_balls(light_reaches_buggy),
+            picture: |_| light_between_balls(is_visible_buggy),
         },
         View {
-            name: "lamp",
-            caption: "The cure: only what lies before the light can block it. The lower ball has a shadow, the upper one has none.",
+            name: "beyond",
+            caption: "The cure: only an object in front of the light can occlude it. The lower ball has a shadow, the upper one has none.",
             knob: None,
-            picture: |_| lamp_between_balls(light_reaches),
+            picture: |_| light_between_balls(is_visible),
         },
     ],
 };
 
-/// The still life, made of any `materials`, with its two lights.
-#[must_use]
-pub fn lit_still_life<M>(materials: [M; 6]) -> Scene<M> {
-    let light = |x, y, z, intensity| PointLight {
-        position: Vec3::new(x, y, z),
-        intensity,
-    };
-    Scene {
-        objects: still_life(materials),
-        lights: vec![light(-5.0, 7.0, -6.0, 0.6), light(4.0, 6.0, -4.0, 0.4)],
-        background: SKY,
-    }
-}
-
 fn picture_of(
-    scene: Scene<Pattern>,
+    scene: Scene<Texture>,
     camera: Camera,
-    reaches: Reaches<Pattern>,
+    is_visible: Visibility<Texture>,
 ) -> Picture {
-    Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), reaches))
+    Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), is_visible))
 }
 
-/// The still life with whichever shadows `reaches` finds.
+/// Returns the picture of the still life with the shadows that `is_visible` finds.
 #[must_use]
-pub fn still_life_by(camera: Camera, reaches: Reaches<Pattern>) -> Picture {
-    picture_of(lit_still_life(STILL_LIFE_COLOURS), camera, reaches)
+pub fn still_life_by(camera: Camera, is_visible: Visibility<Texture>) -> Picture {
+    picture_of(lit_still_life(STILL_LIFE_COLOURS), camera, is_visible)
 }
 
 /// A ball on the floor, another high above it, and a lamp between the two.
-fn lamp_between_balls(reaches: Reaches<Pattern>) -> Picture {
+fn light_between_balls(is_visible: Visibility<Texture>) -> Picture {
     let ball = |name, height, colour| Object {
         name,
-        shape: Shape::Sphere(
-            Sphere::new(Vec3::new(0.0, height, 0.0), 0.5).expect("a sphere"),
-        ),
-        material: Pattern::Plain(colour),
+        shape: Shape::sphere(Vec3::new(0.0, height, 0.0), 0.5),
+        material: Texture::Solid(colour),
     };
     let floor = Object {
         name: "floor",
-        shape: Shape::Plane(Plane::new(Vec3::ZERO, Vec3::Y).expect("a plane")),
-        material: Pattern::Plain(Vec3::splat(0.7)),
+        shape: Shape::plane(Vec3::ZERO, Vec3::Y),
+        material: Texture::Solid(Vec3::splat(0.7)),
     };
     let scene = Scene {
         objects: vec![
@@ -104,5 +84,5 @@ fn lamp_between_balls(reaches: Reaches<Pattern>) -> Picture {
     let eye = Vec3::new(0.0, 2.5, -8.0);
     let towards = Vec3::new(0.3, 1.5, 0.0) - eye;
     let camera = Camera::new(eye, towards, Vec3::Y, 3.0).expect("a camera");
-    picture_of(scene, camera, reaches)
+    picture_of(scene, camera, is_visible)
 }

@@ -1,46 +1,47 @@
 // ANCHOR: head
-//! Let there be light: ambient, diffuse and specular, by Phong.
+//! Let there be light: ambient, diffuse and specular reflection, by Phong's model.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
 use glam::Vec3;
-use plane_hit::{Pattern, nearest};
-use ray_casting::{Ray, unit};
-use shadows::{PointLight, Scene, light_reaches};
-use sphere_hit::facing;
+use plane_hit::{Texture, nearest};
+use ray_casting::{Ray, checked_normalize};
+use shadows::{Interaction, PointLight, Scene, is_visible};
 use std::ops::Mul;
 // ANCHOR_END: head
 
 // ANCHOR: phong
-/// How a surface answers to light.
+/// How a surface reflects light.
 ///
 /// Source: Phong, "Illumination for Computer Generated Pictures" (1975).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
     /// The colour of its ambient and diffuse light; a highlight has the light's own.
-    pub colour: Pattern,
-    /// kₐ: how much it glows without any lamp, in place of all the light that comes in
-    /// roundabout ways.
+    pub colour: Texture,
+    /// kₐ, the fraction of its colour that it sends out in any case, in place of all indirect
+    /// light.
     pub ambient: f32,
-    /// k_d: how much it scatters in all directions alike.
+    /// k_d, the fraction that it reflects in all directions alike.
     pub diffuse: f32,
-    /// kₛ: how much it throws back about the mirror direction.
+    /// kₛ, the fraction that it reflects around the mirror direction.
     pub specular: f32,
-    /// n, at least 1: the larger, the smaller the highlight.
+    /// n, the exponent, at least 1: the larger, the smaller the highlight.
     pub shininess: u32,
 }
 // ANCHOR_END: phong
 
-// ANCHOR: power
-/// `base` to the power of `exponent`, by repeated squaring: the same bits on every
-/// machine.
+// ANCHOR: powi
+/// Returns `base` to the power of `exponent`, by repeated squaring: with multiplications
+/// alone, which IEEE 754 rounds alike on every machine.
 ///
-/// `T` is f32, or, in chapter 12, sixteen of them.
+/// `T` is f32, or sixteen of them.
 ///
 /// Source: Knuth, The Art of Computer Programming, vol. 2, 4.6.3.
+#[inline]
 #[must_use]
-pub fn power<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T {
+pub fn powi<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T {
     let mut result = T::from(1.0);
     let mut square = base;
     let mut bits = exponent;
@@ -53,87 +54,80 @@ pub fn power<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T
     }
     result
 }
-// ANCHOR_END: power
+// ANCHOR_END: powi
 
-// ANCHOR: lit
-/// The light of one lamp of intensity 1 that a `surface` of some `colour` sends back
-/// along −`incident`: k_d C (N·L) + kₛ (R·V)ⁿ, where R is L mirrored about N, and V is
-/// −I.
+// ANCHOR: reflect-light
+/// Returns the light that a `surface` of some `colour` reflects towards the viewer from one
+/// light of intensity 1 in the direction `to_light`: k_d C (N·L) + k_s (R·V)ⁿ, where R is L
+/// reflected about N, and V is −I.
 ///
-/// `incident`, `normal` and `to_light` are unit vectors, and `normal` faces the incident
-/// ray. A lamp behind the surface gives nothing, not even a highlight.
+/// `to_light` is a unit vector. A light behind the surface gives nothing, not even a
+/// highlight.
 ///
-/// Source: the talk's "Shading" slides.
+/// Source: Phong 1975; the lecture's "Shading" slides.
+#[inline]
 #[must_use]
-pub fn lit(
-    surface: &Phong,
-    colour: Vec3,
-    incident: Vec3,
-    normal: Vec3,
-    to_light: Vec3,
-) -> Vec3 {
-    let cos_theta_l = normal.dot(to_light);
+pub fn phong(surface: &Phong, colour: Vec3, at: &Interaction, to_light: Vec3) -> Vec3 {
+    let cos_theta_l = at.normal.dot(to_light);
     if !(cos_theta_l > 0.0) {
         return Vec3::ZERO;
     }
     let diffuse = surface.diffuse * cos_theta_l * colour;
-    let mirrored = 2.0 * cos_theta_l * normal - to_light;
-    let cos_alpha = mirrored.dot(-incident);
+    let reflected = 2.0 * cos_theta_l * at.normal - to_light;
+    let cos_alpha = reflected.dot(-at.incident);
     if !(cos_alpha > 0.0) {
         return diffuse;
     }
-    diffuse + Vec3::splat(surface.specular * power(cos_alpha, surface.shininess))
+    diffuse + Vec3::splat(surface.specular * powi(cos_alpha, surface.shininess))
 }
-// ANCHOR_END: lit
+// ANCHOR_END: reflect-light
 
 // ANCHOR: shade
-/// The light that a `point` of a `surface` sends back along −`incident`: its ambient
-/// light, and that of every lamp in `lights` for which `reaches` holds.
+/// Returns the radiance that a `surface` sends back along the ray that hit it: its ambient
+/// light, and what it reflects of every light.
 ///
-/// `reaches` is not asked about a lamp that would give nothing: no ray is cast that could
-/// not matter.
+/// `visibility` is given a light, the unit vector towards it and its distance, and returns
+/// the fraction of its light that arrives, for red, green and blue: 1 if it is visible, 0 if
+/// it is occluded. It is not called for a light of which the surface would reflect nothing,
+/// so that no ray is traced that could not matter.
+#[inline]
 #[must_use]
-pub fn shade(
+pub fn shade<'a>(
     surface: &Phong,
-    incident: Vec3,
-    point: Vec3,
-    normal: Vec3,
-    lights: &[PointLight],
-    reaches: impl Fn(&PointLight) -> bool,
+    at: &Interaction,
+    lights: &'a [PointLight],
+    mut visibility: impl FnMut(&'a PointLight, Vec3, f32) -> Vec3,
 ) -> Vec3 {
-    let colour = surface.colour.at(point);
-    let mut sum = surface.ambient * colour;
+    let colour = surface.colour.value(at.point);
+    let mut radiance = surface.ambient * colour;
     for light in lights {
-        // At the lamp itself there is no direction to it, and no light from it.
-        let Some(to_light) = unit(light.position - point) else {
+        let to_light = light.position - at.point;
+        // At the light itself there is no direction to it, and no light from it.
+        let Some(direction) = checked_normalize(to_light) else {
             continue;
         };
-        let lit = lit(surface, colour, incident, normal, to_light);
-        if lit != Vec3::ZERO && reaches(light) {
-            sum += light.intensity * lit;
+        let reflected = phong(surface, colour, at, direction);
+        if reflected != Vec3::ZERO {
+            let visible = visibility(light, direction, to_light.length());
+            radiance += light.intensity * reflected * visible;
         }
     }
-    sum
+    radiance
 }
 // ANCHOR_END: shade
 
 // ANCHOR: trace
-/// What a ray brings back: the shaded light of what it meets first, or the background.
+/// Returns the radiance along a ray: that of the surface that it hits first, or the
+/// background.
 #[must_use]
 pub fn trace(scene: &Scene<Phong>, ray: &Ray) -> Vec3 {
-    let Some((object, hit)) = nearest(&scene.objects, ray) else {
+    let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
     };
-    let point = ray.at(hit.t);
-    let normal = facing(hit.normal, ray.direction);
-    let reaches = |light: &PointLight| light_reaches(scene, point, normal, light);
-    shade(
-        &object.material,
-        ray.direction,
-        point,
-        normal,
-        &scene.lights,
-        reaches,
-    )
+    let at = Interaction::new(&scene.objects, ray, hit);
+    let surface = &scene.objects[at.index].material;
+    shade(surface, &at, &scene.lights, |light, _, _| {
+        Vec3::splat(f32::from(is_visible(scene, &at, light)))
+    })
 }
 // ANCHOR_END: trace

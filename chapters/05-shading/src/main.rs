@@ -1,5 +1,5 @@
 //! `cargo run --bin 05-shading`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&shading::STAGE)
+    preview::run(&shading::STAGE)
 }

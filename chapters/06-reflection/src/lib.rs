@@ -1,6 +1,7 @@
 // ANCHOR: head
-//! Mirrors: a ray that meets one goes on, R = I − 2(N·I)N, and brings back what it sees.
+//! Mirrors: a ray that hits one is reflected, R = I − 2(N·I)N.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
@@ -8,43 +9,45 @@ use glam::Vec3;
 use plane_hit::nearest;
 use ray_casting::Ray;
 use shading::{Phong, shade};
-use shadows::{OFFSET, PointLight, Scene, light_reaches};
-use sphere_hit::{Sphere, facing};
+use shadows::{Interaction, SHADOW_BIAS, Scene, is_visible};
+use sphere_hit::Sphere;
 // ANCHOR_END: head
 
-// ANCHOR: slide
-/// Mirrors `incident` about the plane with the given `normal`, by the slide's formula as
-/// it stands: R = I − 2(N·I)N.
+// ANCHOR: unnormalized
+/// Returns `incident` reflected about the plane with the given unit `normal`, by the
+/// textbook's formula as it stands: R = I − 2(N·I)N.
 ///
-/// Both should be unit vectors. If they are so only up to rounding, the error is passed
-/// on, and where the next hit depends on the length of this direction it grows:
-/// [`reflect`] is better.
+/// An error in the length of `incident` is passed on to the result. It grows at every bounce
+/// if the next hit depends on that length: [`reflect`] is better.
 ///
-/// Source: the talk's "Reflections" slide.
+/// Source: the lecture's "Reflections" slide.
+#[inline]
 #[must_use]
-pub fn reflect_by_slide(incident: Vec3, normal: Vec3) -> Vec3 {
+pub fn reflect_unnormalized(incident: Vec3, normal: Vec3) -> Vec3 {
     incident - 2.0 * normal.dot(incident) * normal
 }
-// ANCHOR_END: slide
+// ANCHOR_END: unnormalized
 
 // ANCHOR: reflect
-/// Mirrors `incident` about the plane with the given `normal`.
+/// Returns `incident` reflected about the plane with the given `normal`; it makes no
+/// difference to which side of the plane the normal points.
 ///
-/// Both must be unit vectors, up to rounding; so is the result, for it is normalised
-/// here, once. On which side of the plane the normal stands makes no difference.
+/// Both must be unit vectors, up to rounding. So is the result: it is normalised once, here.
 ///
-/// Source: the talk's "Reflections" slide; Whitted 1980.
+/// Source: the lecture's "Reflections" slide; Whitted 1980.
+#[inline]
 #[must_use]
 pub fn reflect(incident: Vec3, normal: Vec3) -> Vec3 {
-    reflect_by_slide(incident, normal).normalize()
+    reflect_unnormalized(incident, normal).normalize()
 }
 // ANCHOR_END: reflect
 
 // ANCHOR: bounce
-/// The ray after its next bounce inside a mirror sphere, on whose surface it starts, by
-/// the slides' formulas and either way to `reflect`.
+/// Returns the ray after its next bounce inside a mirror sphere, by the textbook's formula
+/// for the hit and either formula to `reflect`.
 ///
-/// The ray must point inwards. The result starts on the surface again, up to rounding.
+/// The ray must start on the sphere and point inwards. The result starts on the sphere
+/// again, up to rounding.
 #[must_use]
 pub fn bounce_inside(sphere: &Sphere, ray: &Ray, reflect: fn(Vec3, Vec3) -> Vec3) -> Ray {
     let oc = ray.origin - sphere.centre;
@@ -60,85 +63,87 @@ pub fn bounce_inside(sphere: &Sphere, ray: &Ray, reflect: fn(Vec3, Vec3) -> Vec3
 }
 // ANCHOR_END: bounce
 
-// ANCHOR: reach
-/// The most bounces that a ray is followed for.
+// ANCHOR: budget
+/// The greatest number of bounces for which a ray is followed.
 pub const MAX_DEPTH: u32 = 64;
 
-/// The least share of a pixel's light that is worth a ray: an eighth of a screen's level.
-pub const LEAST_WEIGHT: f32 = 1.0 / 2048.0;
+/// The throughput at or below which a ray is not traced.
+pub const MIN_THROUGHPUT: f32 = 1.0 / 2048.0;
 
-/// How far a ray is followed: until its bounces or its weight run out.
+/// How far a path of rays may still go on: the bounces that are left, and its throughput.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach {
-    /// How many bounces are left.
+pub struct PathBudget {
+    /// The number of bounces that are left.
     pub depth: u32,
-    /// The share of the pixel's light that this ray brings.
-    pub weight: f32,
-    /// The share that is not worth a ray. 0 follows every ray that brings anything at
-    /// all.
-    pub least_weight: f32,
+    /// The fraction, 0 to 1, of the ray's radiance that reaches the pixel.
+    pub throughput: f32,
+    /// Rays with a throughput at or below this are not traced. 0 traces every ray that
+    /// contributes.
+    pub min_throughput: f32,
 }
 
-impl Reach {
-    /// A camera ray's, with at most so many bounces after it and the usual
-    /// [`LEAST_WEIGHT`].
+impl PathBudget {
+    /// Returns the budget of a camera ray: `depth` bounces and [`MIN_THROUGHPUT`].
     #[must_use]
     pub fn new(depth: u32) -> Self {
         Self {
             depth,
-            weight: 1.0,
-            least_weight: LEAST_WEIGHT,
+            throughput: 1.0,
+            min_throughput: MIN_THROUGHPUT,
         }
     }
 
-    /// What is left after a bounce that passes on a `share` of the light; `None` if it is
-    /// not worth a ray.
+    /// Returns the budget after a bounce that passes on the fraction `coefficient` of the
+    /// light. `None` if no bounce is left, or if the new throughput is at most
+    /// `min_throughput` or NaN.
+    #[inline]
     #[must_use]
-    pub fn after(self, share: f32) -> Option<Self> {
-        let weight = self.weight * share;
-        let is_worth_it = self.depth > 0 && weight > self.least_weight;
-        is_worth_it.then(|| Self {
+    pub fn attenuated(self, coefficient: f32) -> Option<Self> {
+        let throughput = self.throughput * coefficient;
+        let is_traced = self.depth > 0 && throughput > self.min_throughput;
+        is_traced.then(|| Self {
             depth: self.depth - 1,
-            weight,
+            throughput,
             ..self
         })
     }
 }
-// ANCHOR_END: reach
+// ANCHOR_END: budget
 
 // ANCHOR: trace
-/// A surface that also mirrors.
+/// A surface that also reflects like a mirror.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
-    /// Its answer to the lamps.
+    /// How it reflects the lights.
     pub phong: Phong,
-    /// kᵣ: the share of the light that it mirrors, from 0 to 1.
+    /// kᵣ, the fraction of light that it reflects like a mirror, from 0 to 1.
     pub reflectivity: f32,
 }
 
-/// What a ray brings back: the light of what it meets first, and what is seen mirrored in
-/// it.
+/// Returns the radiance along a ray: that of the surface that it hits first and what is
+/// reflected in it, or the background.
+///
+/// Source: Whitted, "An Improved Illumination Model for Shaded Display" (1980).
 #[must_use]
-pub fn trace(scene: &Scene<Mirror>, ray: &Ray, reach: Reach) -> Vec3 {
-    let Some((object, hit)) = nearest(&scene.objects, ray) else {
+pub fn trace(scene: &Scene<Mirror>, ray: &Ray, budget: PathBudget) -> Vec3 {
+    let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
     };
+    let at = Interaction::new(&scene.objects, ray, hit);
     let Mirror {
         phong,
         reflectivity,
-    } = &object.material;
-    let point = ray.at(hit.t);
-    let normal = facing(hit.normal, ray.direction);
-    let reaches = |light: &PointLight| light_reaches(scene, point, normal, light);
-    let light = shade(phong, ray.direction, point, normal, &scene.lights, reaches);
-    let Some(reach) = reach.after(*reflectivity) else {
-        return light;
+    } = &scene.objects[at.index].material;
+    let radiance = shade(phong, &at, &scene.lights, |light, _, _| {
+        Vec3::splat(f32::from(is_visible(scene, &at, light)))
+    });
+    let Some(budget) = budget.attenuated(*reflectivity) else {
+        return radiance;
     };
-    canvas::count_ray();
-    let mirrored = Ray {
-        origin: point + OFFSET * normal,
-        direction: reflect(ray.direction, normal),
+    let reflected = Ray {
+        origin: at.point + SHADOW_BIAS * at.normal,
+        direction: reflect(at.incident, at.normal),
     };
-    light + *reflectivity * trace(scene, &mirrored, reach)
+    radiance + *reflectivity * trace(scene, &reflected, budget)
 }
 // ANCHOR_END: trace

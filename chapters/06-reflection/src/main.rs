@@ -1,5 +1,5 @@
 //! `cargo run --bin 06-reflection`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&reflection::STAGE)
+    preview::run(&reflection::STAGE)
 }

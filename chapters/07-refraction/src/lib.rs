@@ -1,191 +1,190 @@
 // ANCHOR: head
-//! Glass: a ray that enters it is bent, and bent back when it leaves; or it cannot leave
-//! at all.
+//! Glass: a ray that enters it is refracted, and refracted again when it leaves; or it
+//! cannot leave at all.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
 use glam::Vec3;
 use plane_hit::nearest;
 use ray_casting::Ray;
-use reflection::{Reach, reflect};
+use reflection::{PathBudget, reflect};
 use shading::{Phong, shade};
-use shadows::{OFFSET, PointLight, Scene, light_reaches};
-use sphere_hit::facing;
+use shadows::{Interaction, SHADOW_BIAS, Scene, is_visible};
+use sphere_hit::face_forward;
 // ANCHOR_END: head
 
 // ANCHOR: refract
-/// The direction in which `incident` goes on behind a surface, by Snell's law: T = η (I +
-/// cosθᵢ N) − N √(1 − η² sin²θᵢ), where η = η₁/η₂ is the index on this side over the
-/// index on the far side.
+/// Returns the direction of the refracted ray, by Snell's law: T = η (I + cosθᵢ N) −
+/// N √(1 − η² sin²θᵢ), where η = ηᵢ/ηₜ. `None` for total internal reflection.
 ///
-/// `incident` and `normal` must be unit vectors, and `normal` must face the incident ray;
-/// so the result is a unit vector. Returns `None` for total internal reflection: then
-/// nothing goes on. Equal indices leave the ray as it is, to the last bit.
+/// `incident` and `normal` must be unit vectors, and `normal` must face the incident ray. The
+/// result is a unit vector. Equal indices leave the direction as it is, to the last bit.
 ///
-/// Source: the talk's "Refractions" slide.
+/// Source: the lecture's "Refractions" slide.
+#[inline]
 #[must_use]
 pub fn refract(incident: Vec3, normal: Vec3, eta: f32) -> Option<Vec3> {
     if eta == 1.0 {
         return Some(incident);
     }
     let cos_theta_i = -normal.dot(incident);
-    // The part of the incident direction along the surface, sinθᵢ long.
-    let along = incident + cos_theta_i * normal;
-    let sin2_theta_t = eta * eta * along.dot(along);
+    // The tangential part of the incident direction, sinθᵢ long.
+    let tangential = incident + cos_theta_i * normal;
+    // Snell's law: sinθₜ = η sinθᵢ.
+    let sin2_theta_t = eta * eta * tangential.dot(tangential);
     if !(sin2_theta_t < 1.0) {
         return None;
     }
-    Some((eta * along - (1.0 - sin2_theta_t).sqrt() * normal).normalize())
+    let cos_theta_t = (1.0 - sin2_theta_t).sqrt();
+    Some((eta * tangential - cos_theta_t * normal).normalize())
 }
 // ANCHOR_END: refract
 
-// ANCHOR: crossing
-/// A ray at the border of two media: which way the surface faces, and what lies on either
-/// side.
+// ANCHOR: interface
+/// The indices of refraction on the two sides of a surface, as a ray finds them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
-    /// The unit normal on the side that the ray comes from.
-    pub normal: Vec3,
-    /// The index of refraction on this side.
+pub struct Interface {
+    /// ηᵢ, on the side from which the ray comes.
     pub eta_i: f32,
-    /// The index of refraction on the far side.
+    /// ηₜ, on the far side.
     pub eta_t: f32,
 }
 
-impl Crossing {
-    /// Decides, once, whether a ray along `incident` enters or leaves a thing whose
-    /// `outward` normal is given, with an index `inside` and another `outside` it.
+impl Interface {
+    /// Decides, once, whether a ray enters or leaves an object with an index inside and
+    /// another outside.
+    #[inline]
     #[must_use]
-    pub fn new(incident: Vec3, outward: Vec3, inside: f32, outside: f32) -> Self {
-        let leaves = outward.dot(incident) > 0.0;
+    pub fn new(at: &Interaction, eta_inside: f32, eta_outside: f32) -> Self {
+        let leaves = at.outward.dot(at.incident) > 0.0;
         let (eta_i, eta_t) = if leaves {
-            (inside, outside)
+            (eta_inside, eta_outside)
         } else {
-            (outside, inside)
+            (eta_outside, eta_inside)
         };
-        Self {
-            normal: facing(outward, incident),
-            eta_i,
-            eta_t,
-        }
+        Self { eta_i, eta_t }
     }
 }
-// ANCHOR_END: crossing
+// ANCHOR_END: interface
 
-// ANCHOR: redirect
-/// Where light goes on at a border, if it goes anywhere: through it, or, if it cannot,
-/// back.
+// ANCHOR: refract-or-reflect
+/// Returns where light goes on at a dielectric, as a weight and a direction: refracted, or
+/// reflected if it cannot leave.
 #[must_use]
-pub fn redirect(
-    incident: Vec3,
-    outward: Vec3,
-    inside: f32,
-    outside: f32,
-) -> Option<Vec3> {
-    let crossing = Crossing::new(incident, outward, inside, outside);
-    let refracted = refract(incident, crossing.normal, crossing.eta_i / crossing.eta_t);
-    Some(refracted.unwrap_or_else(|| reflect(incident, crossing.normal)))
+pub fn refract_or_reflect(
+    at: &Interaction,
+    eta_inside: f32,
+    eta_outside: f32,
+) -> (f32, Vec3) {
+    let Interface { eta_i, eta_t } = Interface::new(at, eta_inside, eta_outside);
+    let refracted = refract(at.incident, at.normal, eta_i / eta_t);
+    let direction = refracted.unwrap_or_else(|| reflect(at.incident, at.normal));
+    (1.0, direction)
 }
-// ANCHOR_END: redirect
+// ANCHOR_END: refract-or-reflect
 
 // ANCHOR: failed
 /// Refraction, failed: the ratio of the indices is not inverted when the ray leaves.
 #[must_use]
-pub fn redirect_without_inverting(
-    incident: Vec3,
-    outward: Vec3,
-    inside: f32,
-    outside: f32,
-) -> Option<Vec3> {
-    let normal = facing(outward, incident);
-    let refracted = refract(incident, normal, outside / inside);
-    Some(refracted.unwrap_or_else(|| reflect(incident, normal)))
+pub fn refract_without_inverting(
+    at: &Interaction,
+    eta_inside: f32,
+    eta_outside: f32,
+) -> (f32, Vec3) {
+    let refracted = refract(at.incident, at.normal, eta_outside / eta_inside);
+    let direction = refracted.unwrap_or_else(|| reflect(at.incident, at.normal));
+    (1.0, direction)
 }
 
-/// Refraction, failed: what cannot leave is forgotten.
+/// Refraction, failed: light that cannot leave is lost.
 #[must_use]
-pub fn redirect_without_total_reflection(
-    incident: Vec3,
-    outward: Vec3,
-    inside: f32,
-    outside: f32,
-) -> Option<Vec3> {
-    let crossing = Crossing::new(incident, outward, inside, outside);
-    refract(incident, crossing.normal, crossing.eta_i / crossing.eta_t)
+pub fn refract_without_total_reflection(
+    at: &Interaction,
+    eta_inside: f32,
+    eta_outside: f32,
+) -> (f32, Vec3) {
+    let Interface { eta_i, eta_t } = Interface::new(at, eta_inside, eta_outside);
+    match refract(at.incident, at.normal, eta_i / eta_t) {
+        Some(direction) => (1.0, direction),
+        None => (0.0, at.incident),
+    }
 }
 // ANCHOR_END: failed
 
 // ANCHOR: material
 /// What becomes of light that is not scattered at the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Body {
-    /// A share of it is mirrored, from 0 to 1; the rest is lost.
+pub enum Optics {
+    /// A fraction of it is reflected; the rest is lost.
     Opaque {
-        /// kᵣ.
+        /// kᵣ, the fraction of light that is reflected like in a mirror, from 0 to 1.
         reflectivity: f32,
     },
-    /// It goes through. Both indices of refraction are positive.
-    Clear {
-        /// The index of refraction within.
-        inside: f32,
-        /// The index of refraction of what is around it.
-        outside: f32,
+    /// It passes through. Both indices are positive.
+    Dielectric {
+        /// The index of refraction inside the object.
+        eta_inside: f32,
+        /// The index of refraction of what surrounds it.
+        eta_outside: f32,
     },
 }
 
 /// A surface, and what is behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// The surface's answer to the lamps.
+    /// How the surface reflects the lights.
     pub phong: Phong,
-    /// What is behind it.
-    pub body: Body,
+    /// What becomes of the other light.
+    pub optics: Optics,
 }
 // ANCHOR_END: material
 
 // ANCHOR: trace
-/// Where light goes on at a border, if anywhere; one of the functions above.
-pub type Redirect = fn(Vec3, Vec3, f32, f32) -> Option<Vec3>;
+/// Where light goes on at a dielectric, by the indices inside and outside; one of the
+/// functions above.
+pub type Transmission = fn(&Interaction, f32, f32) -> (f32, Vec3);
 
-/// What a ray brings back: the light of what it meets first, and what is seen in it or
-/// through it.
+/// Returns the radiance along a ray: that of the surface that it hits first and what is seen
+/// in it or through it, or the background.
 #[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     ray: &Ray,
-    reach: Reach,
-    redirect: Redirect,
+    budget: PathBudget,
+    transmission: Transmission,
 ) -> Vec3 {
-    let Some((object, hit)) = nearest(&scene.objects, ray) else {
+    let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
     };
-    let Material { phong, body } = &object.material;
-    let incident = ray.direction;
-    let point = ray.at(hit.t);
-    let normal = facing(hit.normal, incident);
-    let reaches = |light: &PointLight| light_reaches(scene, point, normal, light);
-    let light = shade(phong, incident, point, normal, &scene.lights, reaches);
-
-    let (share, direction) = match *body {
-        Body::Opaque { reflectivity } => (reflectivity, Some(reflect(incident, normal))),
-        Body::Clear { inside, outside } => {
-            (1.0, redirect(incident, hit.normal, inside, outside))
+    let at = Interaction::new(&scene.objects, ray, hit);
+    let Material { phong, optics } = &scene.objects[at.index].material;
+    let radiance = shade(phong, &at, &scene.lights, |light, _, _| {
+        Vec3::splat(f32::from(is_visible(scene, &at, light)))
+    });
+    let (weight, direction) = match *optics {
+        Optics::Opaque { reflectivity } => {
+            (reflectivity, reflect(at.incident, at.normal))
         }
+        Optics::Dielectric {
+            eta_inside,
+            eta_outside,
+        } => transmission(&at, eta_inside, eta_outside),
     };
-    let (Some(direction), Some(reach)) = (direction, reach.after(share)) else {
-        return light;
+    let Some(budget) = budget.attenuated(weight) else {
+        return radiance;
     };
-    light + share * trace(scene, &leave(point, hit.normal, direction), reach, redirect)
+    let next = spawn_ray(&at, direction);
+    radiance + weight * trace(scene, &next, budget, transmission)
 }
 
-/// The ray that leaves a `point` of a surface, on the side of it that `direction` points
-/// to.
+/// Returns the ray from a hit in a unit `direction`, its origin moved by [`SHADOW_BIAS`] to
+/// the side of the surface to which the direction points.
 #[must_use]
-pub fn leave(point: Vec3, normal: Vec3, direction: Vec3) -> Ray {
-    canvas::count_ray();
+pub fn spawn_ray(at: &Interaction, direction: Vec3) -> Ray {
     Ray {
-        origin: point + OFFSET * facing(normal, -direction),
+        origin: at.point + SHADOW_BIAS * face_forward(at.outward, -direction),
         direction,
     }
 }

@@ -1,5 +1,5 @@
 //! `cargo run --bin 07-refraction`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&refraction::STAGE)
+    preview::run(&refraction::STAGE)
 }

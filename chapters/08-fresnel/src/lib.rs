@@ -1,5 +1,5 @@
 // ANCHOR: head
-//! Fresnel: how much of the light is mirrored at a border, and how much goes through.
+//! Fresnel: how much of the light is reflected at an interface, and how much is transmitted.
 
 pub mod views;
 pub use views::STAGE;
@@ -7,34 +7,37 @@ pub use views::STAGE;
 use glam::Vec3;
 use plane_hit::nearest;
 use ray_casting::Ray;
-use reflection::{Reach, reflect};
-use refraction::{Body, Crossing, Material, leave, refract};
-use shading::{power, shade};
-use shadows::{PointLight, Scene, light_reaches};
-use sphere_hit::facing;
+use reflection::{PathBudget, reflect};
+use refraction::{Interface, Material, Optics, refract, spawn_ray};
+use shading::{powi, shade};
+use shadows::{Interaction, Scene, is_visible};
 // ANCHOR_END: head
 
 // ANCHOR: fresnel
-/// The share of unpolarised light that is mirrored at the border of two media, from 0 to
-/// 1; the rest goes through.
+/// Returns the reflectance of the interface between two dielectrics for unpolarised light,
+/// from 0 to 1; the rest is transmitted.
 ///
-/// `cos_theta_i` is the cosine of the angle of incidence, from 0 to 1; `eta_i` and
-/// `eta_t` are the indices on this side and on the far side. Total internal reflection
-/// gives 1, equal indices 0.
+/// `cos_theta_i` is the cosine of the angle of incidence, from 0 to 1; `eta_i` and `eta_t`
+/// are the indices on the side of the incident ray and on the far side. Total internal
+/// reflection gives 1, equal indices give 0.
 ///
-/// Source: the talk's "Fresnel" slide.
+/// Source: Hecht, Optics, 4.6; the lecture's "Fresnel" slide.
+#[inline]
 #[must_use]
 pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
     // Without this, an invisible ball would sparkle: 0/0 at grazing angles.
     if eta_i == eta_t {
         return 0.0;
     }
+    // Snell's law; sin² = (1 − cos)(1 + cos) loses no digits near normal incidence.
     let eta = eta_i / eta_t;
     let sin2_theta_t = eta * eta * (1.0 - cos_theta_i) * (1.0 + cos_theta_i);
+    // Total internal reflection.
     if !(sin2_theta_t < 1.0) {
         return 1.0;
     }
     let cos_theta_t = (1.0 - sin2_theta_t).sqrt();
+    // The amplitudes of light polarised parallel and perpendicular to the plane of incidence.
     let r_parl = (eta_t * cos_theta_i - eta_i * cos_theta_t)
         / (eta_t * cos_theta_i + eta_i * cos_theta_t);
     let r_perp = (eta_i * cos_theta_i - eta_t * cos_theta_t)
@@ -44,84 +47,89 @@ pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 // ANCHOR_END: fresnel
 
 // ANCHOR: schlick
-/// Schlick's approximation, with the classic mistake: it takes the cosine on the side
-/// that the light comes from, where the approximation is one in the larger of the two
+/// Returns Schlick's approximation of the reflectance, with the classic mistake: the cosine
+/// is that of the incident ray, where the formula needs the one of the larger of the two
 /// angles.
 ///
-/// On entering a denser medium that is the same, and for glass it is off by a few
-/// hundredths at most. On leaving it knows nothing of total reflection.
+/// On entering a denser medium the two are the same, and for glass the error is a few
+/// hundredths at most. On leaving the medium, total reflection is missed.
 ///
 /// Source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering" (1994).
 #[must_use]
 pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
     let r = (eta_i - eta_t) / (eta_i + eta_t);
     let r0 = r * r;
-    r0 + (1.0 - r0) * power(1.0 - cos_theta_i, 5)
+    r0 + (1.0 - r0) * powi(1.0 - cos_theta_i, 5)
 }
 // ANCHOR_END: schlick
 
-// ANCHOR: ways
-/// How much is mirrored; one of the functions above.
+// ANCHOR: scatter
+/// How much is reflected, by cosθᵢ, ηᵢ and ηₜ; one of the functions above.
 pub type Reflectance = fn(f32, f32, f32) -> f32;
 
-/// The two ways on which light may go on at a surface, each with the share that takes it:
-/// mirrored, and through. A way that there is not has a share of 0.
-///
-/// `incident` and the `outward` normal are unit vectors, and so are the directions.
+/// Returns the reflected and the transmitted ray of a hit, each as a weight and a unit
+/// direction. `None` for a ray that there is not; the weight of one that there is may be 0.
+#[inline]
 #[must_use]
-pub fn ways_on(
-    body: &Body,
-    incident: Vec3,
-    outward: Vec3,
-    reflectance: Reflectance,
-) -> [(f32, Vec3); 2] {
-    let mirrored = reflect(incident, outward);
-    match *body {
-        Body::Opaque { reflectivity } => [(reflectivity, mirrored), (0.0, incident)],
-        Body::Clear { inside, outside } => {
-            let Crossing {
-                normal,
-                eta_i,
-                eta_t,
-            } = Crossing::new(incident, outward, inside, outside);
-            match refract(incident, normal, eta_i / eta_t) {
+pub fn scatter(
+    optics: &Optics,
+    at: &Interaction,
+    reflectance: impl Fn(f32, f32, f32) -> f32,
+) -> [Option<(f32, Vec3)>; 2] {
+    match *optics {
+        Optics::Opaque { reflectivity } => {
+            let reflects = reflectivity > 0.0;
+            let reflected = || (reflectivity, reflect(at.incident, at.normal));
+            [reflects.then(reflected), None]
+        }
+        Optics::Dielectric {
+            eta_inside,
+            eta_outside,
+        } => {
+            let Interface { eta_i, eta_t } = Interface::new(at, eta_inside, eta_outside);
+            let reflected = reflect(at.incident, at.normal);
+            match refract(at.incident, at.normal, eta_i / eta_t) {
                 Some(refracted) => {
-                    let share = reflectance(-normal.dot(incident), eta_i, eta_t);
-                    [(share, mirrored), (1.0 - share, refracted)]
+                    let cos_theta_i = -at.normal.dot(at.incident);
+                    let reflectance = reflectance(cos_theta_i, eta_i, eta_t);
+                    [
+                        Some((reflectance, reflected)),
+                        Some((1.0 - reflectance, refracted)),
+                    ]
                 }
                 // Total internal reflection.
-                None => [(1.0, mirrored), (0.0, incident)],
+                None => [Some((1.0, reflected)), None],
             }
         }
     }
 }
-// ANCHOR_END: ways
+// ANCHOR_END: scatter
 
 // ANCHOR: trace
-/// What a ray brings back: the light of what it meets first, and what is seen in it and
-/// through it.
+/// Returns the radiance along a ray: that of the surface that it hits first, and what is seen
+/// in it and through it; or the background.
 #[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     ray: &Ray,
-    reach: Reach,
+    budget: PathBudget,
     reflectance: Reflectance,
 ) -> Vec3 {
-    let Some((object, hit)) = nearest(&scene.objects, ray) else {
+    let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
     };
-    let Material { phong, body } = &object.material;
-    let incident = ray.direction;
-    let point = ray.at(hit.t);
-    let normal = facing(hit.normal, incident);
-    let reaches = |light: &PointLight| light_reaches(scene, point, normal, light);
-    let mut light = shade(phong, incident, point, normal, &scene.lights, reaches);
-    for (share, direction) in ways_on(body, incident, hit.normal, reflectance) {
-        if let Some(reach) = reach.after(share) {
-            let onward = leave(point, hit.normal, direction);
-            light += share * trace(scene, &onward, reach, reflectance);
+    let at = Interaction::new(&scene.objects, ray, hit);
+    let Material { phong, optics } = &scene.objects[at.index].material;
+    let mut radiance = shade(phong, &at, &scene.lights, |light, _, _| {
+        Vec3::splat(f32::from(is_visible(scene, &at, light)))
+    });
+    let rays = scatter(optics, &at, reflectance);
+    for (weight, direction) in rays.into_iter().flatten() {
+        if let Some(budget) = budget.attenuated(weight) {
+            let next = spawn_ray(&at, direction);
+            radiance += weight * trace(scene, &next, budget, reflectance);
         }
     }
-    light
+    radiance
 }
 // ANCHOR_END: trace

@@ -1,5 +1,5 @@
 //! `cargo run --bin 08-fresnel`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&fresnel::STAGE)
+    preview::run(&fresnel::STAGE)
 }

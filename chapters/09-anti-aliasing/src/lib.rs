@@ -1,6 +1,8 @@
 // ANCHOR: head
-//! Anti-aliasing: many rays for one pixel, and the mean of what they bring back.
+//! Anti-aliasing: many rays per pixel, and the mean of their light.
 
+pub mod scene;
+pub mod sobol;
 pub mod views;
 pub use views::STAGE;
 
@@ -9,58 +11,63 @@ use glam::{UVec2, Vec2, Vec3};
 // ANCHOR_END: head
 
 // ANCHOR: samples
-/// The points of the image plane where a pixel of n × n cells is looked at, one in each
-/// cell, row by row; `place` says where in its cell, from (0, 0) to (1, 1), the i-th of
-/// them is.
-fn cells(
+/// Returns n × n points of the image plane, one per cell of a grid over the pixel, row by row
+/// from the top left. `position` is the position of the i-th within its cell, from (0, 0) to
+/// (1, 1).
+fn stratified_points(
     pixel: Pixel,
     n: u32,
-    place: impl Fn(u32) -> Vec2,
+    position: impl Fn(u32) -> Vec2,
 ) -> impl Iterator<Item = Vec2> {
     (0..n * n).map(move |i| {
-        let cell = UVec2::new(i % n, i / n).as_vec2() + place(i);
+        let cell = UVec2::new(i % n, i / n).as_vec2() + position(i);
         pixel.centre() + pixel.footprint() * (cell / n as f32 - Vec2::splat(0.5))
     })
 }
 
-/// The mean of what is seen at some points of the image plane, added up in their order.
-fn mean(points: impl Iterator<Item = Vec2>, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+/// Returns the mean radiance at some points of the image plane, added up in their order.
+fn mean(points: impl Iterator<Item = Vec2>, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     let mut sum = Vec3::ZERO;
     let mut count = 0.0;
     for point in points {
-        sum += light(point);
+        sum += radiance(point);
         count += 1.0;
     }
     sum / count
 }
+
+/// A way to take n × n samples of a pixel: from the pixel, n, and the radiance at a point of
+/// the image plane to the pixel's radiance.
+pub type Sampler = fn(Pixel, u32, &dyn Fn(Vec2) -> Vec3) -> Vec3;
 // ANCHOR_END: samples
 
 // ANCHOR: regular
-/// The mean of n × n samples of a pixel, in the middle of as many equal cells; n is at
-/// least 1.
+/// Returns the mean of n × n samples of a pixel, each in the centre of its cell; n is at
+/// least 1. A single sample is in the pixel's centre.
 ///
-/// `light` is what is seen at a point of the image plane. One sample is in the pixel's
-/// centre.
+/// `radiance` is the radiance at a point of the image plane.
 ///
-/// Source: the talk's "Anti-Aliasing" slides, whose depth is our n.
+/// Source: the lecture's "Anti-Aliasing" slides, whose depth is our n.
 #[must_use]
-pub fn regular(pixel: Pixel, n: u32, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
-    mean(cells(pixel, n, |_| Vec2::splat(0.5)), light)
+pub fn regular(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    mean(stratified_points(pixel, n, |_| Vec2::splat(0.5)), radiance)
 }
 // ANCHOR_END: regular
 
 // ANCHOR: jittered
-/// The mean of n × n samples of a pixel, each somewhere in its own cell; n is at least 1.
+/// Returns the mean of n × n samples of a pixel, each anywhere in its own cell; n is at least
+/// 1.
 ///
-/// Where, is as good as random, but always the same for the same pixel and sample.
+/// The positions come from a hash of the pixel and the sample, so that the picture is always
+/// the same.
 ///
 /// Source: Cook, "Stochastic Sampling in Computer Graphics" (1986).
 #[must_use]
-pub fn jittered(pixel: Pixel, n: u32, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
-    mean(cells(pixel, n, |i| jitter(pixel, i)), light)
+pub fn jittered(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    mean(stratified_points(pixel, n, |i| jitter(pixel, i)), radiance)
 }
 
-/// Two numbers from 0 to 1, without 1, for one sample of one pixel.
+/// Returns a position in [0, 1)² for one sample of one pixel.
 fn jitter(pixel: Pixel, sample: u32) -> Vec2 {
     let x = hash(pixel.x ^ hash(pixel.y ^ hash(sample)));
     let y = hash(x);
@@ -68,11 +75,12 @@ fn jitter(pixel: Pixel, sample: u32) -> Vec2 {
     Vec2::new((x >> 8) as f32, (y >> 8) as f32) / (1 << 24) as f32
 }
 
-/// Stirs the bits of a number so that each of them depends on all.
+/// Returns a hash of a number: any change of its bits changes about half of the result's.
 ///
-/// The sum at first keeps 0 from staying 0.
+/// The sum at the beginning keeps 0 from staying 0.
 ///
 /// Source: the multipliers and shifts are TheIronBorn's, in Chris Wellons's hash-prospector.
+#[inline]
 #[must_use]
 pub fn hash(mut x: u32) -> u32 {
     x = x.wrapping_add(0x9e37_79b9);
@@ -87,27 +95,26 @@ pub fn hash(mut x: u32) -> u32 {
 // ANCHOR: adaptive
 /// The least difference of linear light between a pixel's samples that calls for more of
 /// them.
-pub const CONTRAST: f32 = 0.05;
+pub const CONTRAST_THRESHOLD: f32 = 0.05;
 
-/// The mean of n × n jittered samples where they are needed, and of 2 × 2 where those
-/// agree.
+/// Returns the mean of 2 × 2 jittered samples if no two of them differ by more than
+/// [`CONTRAST_THRESHOLD`] in any channel, and otherwise that of n × n.
 ///
-/// Cheap where nothing happens in a pixel, and right where it can be seen that something
-/// does; but what is so small that it falls between four samples is missed.
+/// Features smaller than the distance of the first four samples can be missed.
 ///
 /// Source: Whitted 1980, with the pixel's own samples in place of its corners.
 #[must_use]
-pub fn adaptive(pixel: Pixel, n: u32, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
-    let points = cells(pixel, 2, |i| jitter(pixel, i));
-    let samples: Vec<Vec3> = points.map(light).collect();
+pub fn adaptive(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    let points = stratified_points(pixel, 2, |i| jitter(pixel, i));
+    let samples: Vec<Vec3> = points.map(radiance).collect();
     let differ = |a: &Vec3| {
         let differences = samples.iter().map(|b| (*a - *b).abs().max_element());
         differences
             .into_iter()
-            .any(|difference| difference > CONTRAST)
+            .any(|difference| difference > CONTRAST_THRESHOLD)
     };
     if samples.iter().any(differ) {
-        jittered(pixel, n, light)
+        jittered(pixel, n, radiance)
     } else {
         samples.iter().sum::<Vec3>() / 4.0
     }
@@ -115,13 +122,13 @@ pub fn adaptive(pixel: Pixel, n: u32, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
 // ANCHOR_END: adaptive
 
 // ANCHOR: encoded
-/// The bug: the mean of a screen's levels in place of the mean of light.
+/// The bug: returns the light of the mean *level* of n × n samples.
 ///
-/// Levels are spread for the eye, and half the light is far more than half the levels.
+/// Levels are spread for the eye: half the light is far more than half the levels.
 #[must_use]
-pub fn mean_of_levels(pixel: Pixel, n: u32, light: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
-    let levels = |point: Vec2| Vec3::from_array(encode(light(point)).map(f32::from));
-    let mean = mean(cells(pixel, n, |_| Vec2::splat(0.5)), &levels);
+pub fn mean_of_levels(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    let levels = |point: Vec2| Vec3::from_array(encode(radiance(point)).map(f32::from));
+    let mean = mean(stratified_points(pixel, n, |_| Vec2::splat(0.5)), &levels);
     Vec3::from_array(mean.to_array().map(|level| decode(level.round() as u8)))
 }
 // ANCHOR_END: encoded

@@ -1,81 +1,82 @@
-//! What chapter 9 shows.
+//! The chapter's pictures.
 
-use crate::{adaptive, jittered, mean_of_levels, regular};
-use canvas::{Knob, Picture, Pixel, Scale, Stage, View};
+use crate::scene::horizon_camera;
+use crate::{Sampler, adaptive, jittered, mean_of_levels, regular};
+use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use fresnel::{fresnel, trace};
 use glam::{Vec2, Vec3};
-use plane_hit::still_life;
-use plane_hit::views::STILL_LIFE_COLOURS;
-use ray_casting::Camera;
-use ray_casting::views::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
-use reflection::{MAX_DEPTH, Reach};
-use refraction::views::{AIR, GLASS, still_life_with_glass};
+use plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
+use ray_casting::scene::still_life_camera;
+use reflection::{MAX_DEPTH, PathBudget};
+use refraction::scene::{AIR, GLASS, still_life_with_glass};
 
-/// Chapter 9.
+/// The chapter's description.
 pub const STAGE: Stage = Stage {
-    name: "09-anti-aliasing",
+    name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "Many rays for one pixel",
+    hero: "grid",
+    bugs: &["dots-adaptive", "levels"],
     views: &[
         View {
             name: "grid",
-            caption: "The still life by n × n rays for every pixel: the larger n, the smoother its edges.",
-            knob: Some(n(4, &[1.0, 2.0, 10.0, 20.0])),
+            caption: "The still life by n × n rays per pixel: the larger n, the smoother its edges.",
+            knob: Some(samples_knob(4, &[1.0, 2.0, 10.0, 20.0])),
             picture: |n| still_life_by(n, regular),
         },
         View {
             name: "jittered",
             caption: "As many rays, each somewhere in its cell: what was a pattern becomes noise.",
-            knob: Some(n(4, &[])),
+            knob: Some(samples_knob(4, &[])),
             picture: |n| still_life_by(n, jittered),
         },
         View {
             name: "adaptive",
-            caption: "Four rays for every pixel, and n × n more only where those four differ.",
-            knob: Some(n(8, &[])),
+            caption: "Four rays per pixel, and n × n more only where those four differ.",
+            knob: Some(samples_knob(8, &[])),
             picture: |n| still_life_by(n, adaptive),
         },
         View {
             name: "horizon-grid",
-            caption: "The floor near the horizon by 4 × 4 rays on a grid: false rings.",
-            knob: Some(n(4, &[])),
+            caption: "The floor near the horizon by n × n rays on a grid: false rings.",
+            knob: Some(samples_knob(4, &[])),
             picture: |n| horizon_by(n, regular),
         },
         View {
             name: "horizon-jittered",
             caption: "The same, jittered: the rings are gone, and a little noise has come.",
-            knob: Some(n(4, &[])),
+            knob: Some(samples_knob(4, &[])),
             picture: |n| horizon_by(n, jittered),
         },
         View {
             name: "dots-grid",
-            caption: "Dots with a radius of a quarter of a pixel, by n × n rays: all there, faint as they should be.",
-            knob: Some(n(8, &[])),
+            caption: "Dots with a radius of a quarter of a pixel, by n × n rays: with n = 8 all are there, faint as they should be.",
+            knob: Some(samples_knob(8, &[])),
             picture: |n| dots_by(n, regular),
         },
         View {
             name: "dots-adaptive",
             caption: "Such dots, adaptively: those that fall between the first four rays are never seen.",
-            knob: Some(n(8, &[])),
+            knob: Some(samples_knob(8, &[])),
             picture: |n| dots_by(n, adaptive),
         },
         View {
             name: "levels",
             caption: "The bug: the mean of levels, not of light. The floor darkens where its squares are small.",
-            knob: Some(n(8, &[])),
+            knob: Some(samples_knob(8, &[])),
             picture: |n| horizon_by(n, mean_of_levels),
         },
         View {
             name: "light",
             caption: "The cure: the mean of light, encoded once. The far floor is as bright as the near one.",
-            knob: Some(n(8, &[])),
+            knob: Some(samples_knob(8, &[])),
             picture: |n| horizon_by(n, regular),
         },
     ],
 };
 
-/// The knob of how many rows and columns of samples a pixel has.
+/// Returns the knob of the number of rows and columns of samples in a pixel.
 #[must_use]
-pub const fn n(default: u32, pinned: &'static [f32]) -> Knob {
+pub const fn samples_knob(default: u32, snapshot_settings: &'static [f32]) -> Knob {
     Knob {
         name: "n",
         unit: "",
@@ -83,27 +84,17 @@ pub const fn n(default: u32, pinned: &'static [f32]) -> Knob {
         max: 20.0,
         default: default as f32,
         scale: Scale::Whole,
-        pinned,
+        snapshot_settings,
     }
 }
 
-/// From a pixel, n, and what is seen at a point of the image plane, to the pixel's light.
-type Sampler = fn(Pixel, u32, &dyn Fn(Vec2) -> Vec3) -> Vec3;
-
 fn still_life_by(n: f32, sampler: Sampler) -> Picture {
-    let camera = still_life_camera(STILL_LIFE_FOCAL_LENGTH);
+    let camera = still_life_camera();
     let scene = still_life_with_glass(GLASS, AIR);
-    let reach = Reach::new(MAX_DEPTH);
+    let budget = PathBudget::new(MAX_DEPTH);
     sampled(n, sampler, move |point| {
-        trace(&scene, &camera.ray(point), reach, fresnel)
+        trace(&scene, &camera.ray(point), budget, fresnel)
     })
-}
-
-/// A camera that looks at the far floor.
-#[must_use]
-pub fn horizon_camera() -> Camera {
-    let eye = Vec3::new(0.0, 2.0, -7.0);
-    Camera::new(eye, Vec3::new(0.0, -0.6, 7.0), Vec3::Y, 5.0).expect("a camera")
 }
 
 /// The floor alone, in flat colours.
@@ -134,7 +125,7 @@ fn dots_by(n: f32, sampler: Sampler) -> Picture {
 fn sampled(
     n: f32,
     sampler: Sampler,
-    light: impl Fn(Vec2) -> Vec3 + Send + Sync + 'static,
+    radiance: impl Fn(Vec2) -> Vec3 + Send + Sync + 'static,
 ) -> Picture {
-    Picture::new(move |pixel| sampler(pixel, n as u32, &light))
+    Picture::new(move |pixel| sampler(pixel, n as u32, &radiance))
 }

@@ -1,78 +1,84 @@
 // ANCHOR: head
-//! Shadow acne, and how a ray should leave a surface: it remembers where it comes from.
+//! Shadow acne, and how a ray should leave a surface: it remembers its origin.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
-use fresnel::{fresnel, ways_on};
+use fresnel::{fresnel, scatter};
 use glam::Vec3;
 use plane_hit::{Object, Shape, nearest_by};
-use ray_casting::{Ray, unit};
-use reflection::Reach;
+use ray_casting::Ray;
+use reflection::PathBudget;
 use refraction::Material;
 use shading::shade;
-use shadows::{OFFSET, PointLight, Scene};
-use sphere_hit::{Hit, Sphere, facing};
+use shadows::{Interaction, SHADOW_BIAS, Scene};
+use sphere_hit::{Sphere, face_forward};
 // ANCHOR_END: head
 
-// ANCHOR: leaving
-/// A ray, and the object whose surface it leaves, if it is one that remembers.
+// ANCHOR: surface-ray
+/// A ray, and the object on whose surface it starts, if that is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Leaving<'a, M> {
+pub struct SurfaceRay {
     /// The ray.
     pub ray: Ray,
-    /// Where it comes from.
-    pub from: Option<&'a Object<M>>,
-    /// Whether it goes into that object.
-    pub inwards: bool,
+    /// The index of the object on whose surface the ray starts.
+    pub origin: Option<usize>,
+    /// Whether the ray enters that object.
+    pub enters: bool,
 }
 
-/// How a ray leaves an object: from a point of it with a unit outward normal, in a
-/// direction.
-pub type Leave<M> = for<'a> fn(&'a Object<M>, Vec3, Vec3, Vec3) -> Leaving<'a, M>;
+/// How a ray leaves a surface: from its shape, a hit and a unit direction to the ray.
+pub type SpawnRay = fn(&Shape, &Interaction, Vec3) -> SurfaceRay;
 
-fn forgetful<'a, M>(origin: Vec3, direction: Vec3) -> Leaving<'a, M> {
-    from_the_eye(Ray { origin, direction })
+/// Returns a ray whose origin is not known to be on a surface: a camera's ray.
+#[inline]
+#[must_use]
+pub fn untracked(ray: Ray) -> SurfaceRay {
+    SurfaceRay {
+        ray,
+        origin: None,
+        enters: false,
+    }
 }
-// ANCHOR_END: leaving
+// ANCHOR_END: surface-ray
 
 // ANCHOR: offsets
-/// As it comes: from the computed point. Half of those are on the wrong side of the
+/// The bug: the ray starts at the computed point, which rounding puts on either side of the
 /// surface.
 #[must_use]
-pub fn at_the_point<M>(
-    _: &Object<M>,
-    point: Vec3,
-    _: Vec3,
-    direction: Vec3,
-) -> Leaving<'_, M> {
-    forgetful(point, direction)
+pub fn without_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+    untracked(Ray {
+        origin: at.point,
+        direction,
+    })
 }
 
-/// A fixed step off the surface, as in chapter 4.
+/// The ray starts at a fixed distance from the surface, [`SHADOW_BIAS`].
 #[must_use]
-pub fn by_a_fixed_offset<M>(
-    _: &Object<M>,
-    point: Vec3,
-    normal: Vec3,
-    direction: Vec3,
-) -> Leaving<'_, M> {
-    forgetful(point + OFFSET * facing(normal, -direction), direction)
+pub fn with_fixed_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+    let normal = face_forward(at.outward, -direction);
+    untracked(Ray {
+        origin: at.point + SHADOW_BIAS * normal,
+        direction,
+    })
 }
 
-/// A step that grows with the numbers it is added to: 4 ε max(|p|, |c|, r), from the
-/// point put back onto the surface.
+/// The ray starts at a distance from the surface that grows with the numbers of the scene:
+/// 4 ε max(|p|, |c|, r) from the projected point, since each of its coordinates is rounded to
+/// within ε/2 of these numbers, a few times over.
+///
+/// Source: the idea is that of Wächter and Binder, Ray Tracing Gems (2019), ch. 6.
 #[must_use]
-pub fn by_a_scaled_offset<'a, M>(
-    object: &'a Object<M>,
-    point: Vec3,
-    normal: Vec3,
+pub fn with_scaled_offset(
+    shape: &Shape,
+    at: &Interaction,
     direction: Vec3,
-) -> Leaving<'a, M> {
-    let point = on_the_surface(&object.shape, point, normal);
+) -> SurfaceRay {
+    let point = project_to_surface(shape, at);
     let mut largest = point.length();
-    let others = match object.shape {
-        Shape::Sphere(Sphere { centre, radius }) => [centre.length(), radius],
+    let others = match shape {
+        Shape::Sphere(Sphere { centre, radius }) => [centre.length(), *radius],
         Shape::Plane(plane) => [plane.point.length(), 0.0],
     };
     for other in others {
@@ -81,118 +87,119 @@ pub fn by_a_scaled_offset<'a, M>(
         }
     }
     let offset = 4.0 * f32::EPSILON * largest;
-    forgetful(point + offset * facing(normal, -direction), direction)
+    let normal = face_forward(at.outward, -direction);
+    untracked(Ray {
+        origin: point + offset * normal,
+        direction,
+    })
 }
 
-/// The point, put back onto the surface as well as an f32 can say.
-fn on_the_surface(shape: &Shape, point: Vec3, normal: Vec3) -> Vec3 {
+/// Returns the hit point, moved onto the surface as exactly as f32 can express.
+#[inline]
+fn project_to_surface(shape: &Shape, at: &Interaction) -> Vec3 {
     match shape {
-        Shape::Sphere(sphere) => sphere.centre + sphere.radius * normal,
-        Shape::Plane(plane) => point - (point - plane.point).dot(normal) * normal,
+        Shape::Sphere(sphere) => sphere.centre + sphere.radius * at.outward,
+        Shape::Plane(plane) => {
+            at.point - (at.point - plane.point).dot(at.outward) * at.outward
+        }
     }
 }
 // ANCHOR_END: offsets
 
 // ANCHOR: from-surface
-/// The cure: from the surface itself, and remembering it.
+/// The cure: the ray starts on the surface, and remembers the object.
+#[inline]
 #[must_use]
-pub fn from_the_surface<'a, M>(
-    object: &'a Object<M>,
-    point: Vec3,
-    normal: Vec3,
-    direction: Vec3,
-) -> Leaving<'a, M> {
-    let origin = on_the_surface(&object.shape, point, normal);
-    Leaving {
+pub fn from_surface(shape: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+    let origin = project_to_surface(shape, at);
+    SurfaceRay {
         ray: Ray { origin, direction },
-        from: Some(object),
-        inwards: normal.dot(direction) < 0.0,
+        origin: Some(at.index),
+        enters: at.outward.dot(direction) < 0.0,
     }
 }
 
-/// Where a ray that starts on a sphere meets it again, if that is before `t_max`: at its
-/// other root.
+/// Returns the distance at which a ray that starts on a sphere leaves it, if 0 < t < `t_max`.
 ///
-/// One root is 0, for there it starts; so the quadratic has only one term left to solve
-/// for.
+/// One root of the quadratic is 0, where the ray starts, so only a linear term is left for
+/// the other.
+#[inline]
 #[must_use]
-pub fn other_hit(sphere: &Sphere, ray: &Ray, t_max: f32) -> Option<Hit> {
+pub fn exit_distance(sphere: &Sphere, ray: &Ray, t_max: f32) -> Option<f32> {
     let direction = ray.direction;
     let t = -2.0 * direction.dot(ray.origin - sphere.centre) / direction.dot(direction);
-    if !(t > 0.0 && t < t_max) {
-        return None;
-    }
-    let normal = unit((ray.at(t) - sphere.centre) / sphere.radius)?;
-    Some(Hit { t, normal })
+    (t > 0.0 && t < t_max).then_some(t)
 }
 
-impl<M> Leaving<'_, M> {
-    /// Where the ray meets `object` before `t_max`. What it left, it can meet again only
-    /// from within.
+impl SurfaceRay {
+    /// Returns the distance to the first hit with 0 < t < `t_max` of the object with this
+    /// index. The object on which the ray starts can be hit again only from inside.
+    #[inline]
     #[must_use]
-    pub fn hit(&self, object: &Object<M>, t_max: f32) -> Option<Hit> {
-        let is_where_from = self.from.is_some_and(|from| std::ptr::eq(from, object));
-        match &object.shape {
-            Shape::Sphere(sphere) if is_where_from && self.inwards => {
-                other_hit(sphere, &self.ray, t_max)
+    pub fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {
+        if self.origin != Some(index) {
+            return shape.distance(&self.ray, t_max);
+        }
+        match shape {
+            Shape::Sphere(sphere) if self.enters => {
+                exit_distance(sphere, &self.ray, t_max)
             }
-            _ if is_where_from => None,
-            shape => shape.hit(&self.ray, t_max),
+            // Both are convex.
+            Shape::Sphere(_) | Shape::Plane(_) => None,
         }
     }
 
-    /// The object that the ray meets first, and where.
+    /// Returns the interaction with the first object that the ray hits. `None` if it hits
+    /// nothing. Counts one ray.
+    #[inline]
     #[must_use]
-    pub fn nearest<'a>(&self, objects: &'a [Object<M>]) -> Option<(&'a Object<M>, Hit)> {
-        nearest_by(objects, |object, t_max| self.hit(object, t_max))
+    pub fn intersect<M>(&self, objects: &[Object<M>]) -> Option<Interaction> {
+        let hit = nearest_by(objects, |index, object, t_max| {
+            self.distance(index, &object.shape, t_max)
+        })?;
+        Some(Interaction::new(objects, &self.ray, hit))
+    }
+
+    /// Returns whether any object is hit with 0 < t < `t_max`. Counts one ray.
+    #[inline]
+    #[must_use]
+    pub fn is_occluded<M>(&self, objects: &[Object<M>], t_max: f32) -> bool {
+        canvas::count_ray();
+        let mut objects = objects.iter().enumerate();
+        objects
+            .any(|(index, object)| self.distance(index, &object.shape, t_max).is_some())
     }
 }
 // ANCHOR_END: from-surface
 
 // ANCHOR: trace
-/// The camera's ray, which comes from no surface.
-#[must_use]
-pub fn from_the_eye<'a, M>(ray: Ray) -> Leaving<'a, M> {
-    Leaving {
-        ray,
-        from: None,
-        inwards: false,
-    }
-}
-
-/// Chapter 8's picture, by whichever way rays `leave` a surface.
+/// Returns the radiance along a ray, as the last `trace` does, but with `spawn` to choose
+/// where shadow rays, reflected and refracted rays start.
 #[must_use]
 pub fn trace(
     scene: &Scene<Material>,
-    leaving: Leaving<Material>,
-    reach: Reach,
-    leave: Leave<Material>,
+    ray: &SurfaceRay,
+    budget: PathBudget,
+    spawn: impl Fn(&Shape, &Interaction, Vec3) -> SurfaceRay + Copy,
 ) -> Vec3 {
-    let Some((object, hit)) = leaving.nearest(&scene.objects) else {
+    let Some(at) = ray.intersect(&scene.objects) else {
         return scene.background;
     };
-    let Material { phong, body } = &object.material;
-    let incident = leaving.ray.direction;
-    let point = leaving.ray.at(hit.t);
-    let normal = facing(hit.normal, incident);
-    let reaches = |light: &PointLight| {
-        canvas::count_ray();
-        let to_light = light.position - point;
-        let shadow_ray = leave(object, point, hit.normal, to_light.normalize());
-        let distance = to_light.length();
-        !scene
-            .objects
-            .iter()
-            .any(|object| shadow_ray.hit(object, distance).is_some())
-    };
-    let mut light = shade(phong, incident, point, normal, &scene.lights, reaches);
-    for (share, direction) in ways_on(body, incident, hit.normal, fresnel) {
-        if let Some(reach) = reach.after(share) {
-            canvas::count_ray();
-            let leaving = leave(object, point, hit.normal, direction);
-            light += share * trace(scene, leaving, reach, leave);
+    let Object {
+        shape, material, ..
+    } = &scene.objects[at.index];
+    let Material { phong, optics } = material;
+    let mut radiance = shade(phong, &at, &scene.lights, |_, to_light, distance| {
+        let shadow_ray = spawn(shape, &at, to_light);
+        let is_occluded = shadow_ray.is_occluded(&scene.objects, distance);
+        Vec3::splat(f32::from(!is_occluded))
+    });
+    for (weight, direction) in scatter(optics, &at, fresnel).into_iter().flatten() {
+        if let Some(budget) = budget.attenuated(weight) {
+            let next = spawn(shape, &at, direction);
+            radiance += weight * trace(scene, &next, budget, spawn);
         }
     }
-    light
+    radiance
 }
 // ANCHOR_END: trace

@@ -1,5 +1,5 @@
 //! `cargo run --bin 10-shadow-acne`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&shadow_acne::STAGE)
+    preview::run(&shadow_acne::STAGE)
 }

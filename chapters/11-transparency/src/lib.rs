@@ -1,29 +1,30 @@
 // ANCHOR: head
-//! Coloured glass: it keeps some of the light that goes through, and its shadow has its
+//! Coloured glass: it absorbs some of the light that passes through, and its shadow has its
 //! colour.
 
+pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
-use fresnel::{fresnel, ways_on};
+use fresnel::{fresnel, scatter};
 use glam::Vec3;
 use plane_hit::Object;
-use ray_casting::{Ray, unit};
-use reflection::Reach;
-use refraction::{Body, Material};
-use shading::lit;
-use shadow_acne::{Leaving, from_the_surface};
-use shadows::{PointLight, Scene};
-use sphere_hit::{FARTHEST, facing};
+use ray_casting::Ray;
+use reflection::PathBudget;
+use refraction::{Material, Optics};
+use shading::shade;
+use shadow_acne::{SurfaceRay, from_surface};
+use shadows::{Interaction, Scene};
+use sphere_hit::T_MAX;
 // ANCHOR_END: head
 
 // ANCHOR: absorb
-/// What is left of light after a way of some length through a medium: e^(−a d), for red,
-/// green and blue.
+/// Returns the fraction of light that passes through a medium of some thickness: e^(−a d),
+/// for red, green and blue.
 ///
-/// `absorption` is what is lost in a unit of length, as a rate, at least 0.
+/// `absorption` is the rate a, at least 0, per unit of length.
 ///
-/// Source: Beer–Lambert law (Bouguer 1729).
+/// Source: the Beer–Lambert law (Bouguer 1729).
 #[must_use]
 pub fn transmittance(absorption: Vec3, distance: f32) -> Vec3 {
     (-absorption * distance).map(libm::expf)
@@ -31,113 +32,110 @@ pub fn transmittance(absorption: Vec3, distance: f32) -> Vec3 {
 // ANCHOR_END: absorb
 
 // ANCHOR: material
-/// A material whose inside may have a colour.
+/// A material whose inside may absorb light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tinted {
-    /// Its surface, and what becomes of light there.
+pub struct Absorbing {
+    /// Its surface and its optics.
     pub material: Material,
-    /// How fast its inside takes up red, green and blue light, for each unit of length.
+    /// The rate at which its inside absorbs red, green and blue light, per unit of length; at
+    /// least 0.
     pub absorption: Vec3,
 }
 // ANCHOR_END: material
 
 // ANCHOR: through
-/// What is left of a lamp's light on a straight way of length `distance` to it: nothing
-/// behind anything opaque, and what clear things on the way let through.
+/// Returns the fraction of a light's red, green and blue that arrives along a shadow ray from
+/// `distance` away: 0 if an opaque object occludes it, else what the dielectrics between
+/// transmit. Counts one ray.
 ///
-/// Straight: what a clear thing would bend elsewhere, and what its surface would mirror,
-/// is left out. So a ball of glass throws a shadow of its colour, but no bright spot in
-/// it.
+/// Refraction and reflection by these dielectrics are ignored, so that the shadow of a ball of
+/// glass has a colour but no caustic.
 #[must_use]
-pub fn light_through(
-    scene: &Scene<Tinted>,
-    ray: &Leaving<Tinted>,
+pub fn shadow_transmittance(
+    scene: &Scene<Absorbing>,
+    ray: &SurfaceRay,
     distance: f32,
 ) -> Vec3 {
-    let blocks = |object: &Object<Tinted>| {
-        matches!(object.material.material.body, Body::Opaque { .. })
-            && ray.hit(object, distance).is_some()
+    canvas::count_ray();
+    let occludes = |(index, object): (usize, &Object<Absorbing>)| {
+        matches!(object.material.material.optics, Optics::Opaque { .. })
+            && ray.distance(index, &object.shape, distance).is_some()
     };
-    if scene.objects.iter().any(blocks) {
+    if scene.objects.iter().enumerate().any(occludes) {
         return Vec3::ZERO;
     }
-    left_after(scene, ray, distance)
+    transmittance_along(scene, ray, distance)
 }
 
-/// What all clear things leave of light on a ray's way of some `distance`.
-fn left_after(scene: &Scene<Tinted>, ray: &Leaving<Tinted>, distance: f32) -> Vec3 {
-    let mut light = Vec3::ONE;
-    for object in &scene.objects {
-        if let Body::Clear { .. } = object.material.material.body {
-            let inside = way_inside(object, ray, distance);
-            light *= transmittance(object.material.absorption, inside);
+/// Returns the fraction of light that all dielectrics transmit along a ray, from its origin to
+/// `distance`.
+fn transmittance_along(
+    scene: &Scene<Absorbing>,
+    ray: &SurfaceRay,
+    distance: f32,
+) -> Vec3 {
+    let mut transmitted = Vec3::ONE;
+    for (index, object) in scene.objects.iter().enumerate() {
+        if let Optics::Dielectric { .. } = object.material.material.optics {
+            let inside = path_length_inside(&scene.objects, index, ray, distance);
+            transmitted *= transmittance(object.material.absorption, inside);
         }
     }
-    light
+    transmitted
 }
 
-/// How much of a ray's way of some `distance` is inside an object.
+/// Returns the length of the part of a ray, from its origin to `distance`, that lies inside
+/// the object with this index.
 #[must_use]
-pub fn way_inside<M>(object: &Object<M>, ray: &Leaving<M>, distance: f32) -> f32 {
-    let Some(hit) = ray.hit(object, FARTHEST) else {
+pub fn path_length_inside<M>(
+    objects: &[Object<M>],
+    index: usize,
+    ray: &SurfaceRay,
+    distance: f32,
+) -> f32 {
+    let shape = &objects[index].shape;
+    let Some(t) = ray.distance(index, shape, T_MAX) else {
         return 0.0;
     };
     let Ray { direction, .. } = ray.ray;
-    if hit.normal.dot(direction) > 0.0 {
+    let at = Interaction::new(objects, &ray.ray, (index, t));
+    if at.outward.dot(direction) > 0.0 {
         // It starts inside, and ends there or leaves.
-        return if hit.t < distance { hit.t } else { distance };
+        return if t < distance { t } else { distance };
     }
-    let left = distance - hit.t;
-    if !(left > 0.0) {
+    let rest = distance - t;
+    if !(rest > 0.0) {
         return 0.0;
     }
-    let entered = from_the_surface(object, ray.ray.at(hit.t), hit.normal, direction);
-    entered.hit(object, left).map_or(left, |exit| exit.t)
+    let entered = from_surface(shape, &at, direction);
+    entered.distance(index, shape, rest).unwrap_or(rest)
 }
 // ANCHOR_END: through
 
 // ANCHOR: trace
-/// What a ray brings back: the light of what it meets first, and what is seen in it and
-/// through it.
+/// Returns the radiance along a ray: that of the surface that it hits first, and what is seen
+/// in it and through it, less what is absorbed on the way; or the background.
 #[must_use]
-pub fn trace(scene: &Scene<Tinted>, leaving: Leaving<Tinted>, reach: Reach) -> Vec3 {
-    let Some((object, hit)) = leaving.nearest(&scene.objects) else {
+pub fn trace(scene: &Scene<Absorbing>, ray: &SurfaceRay, budget: PathBudget) -> Vec3 {
+    let Some(at) = ray.intersect(&scene.objects) else {
         return scene.background;
     };
-    let Material { phong, body } = &object.material.material;
-    let incident = leaving.ray.direction;
-    let point = leaving.ray.at(hit.t);
-    let normal = facing(hit.normal, incident);
-    // All that comes from here has come the ray's way, through whatever the ray has been
-    // in.
-    let on_the_way = left_after(scene, &leaving, hit.t);
-
-    let colour = phong.colour.at(point);
-    let mut light = phong.ambient * colour;
-    for PointLight {
-        position,
-        intensity,
-    } in &scene.lights
-    {
-        let to_light = *position - point;
-        let Some(direction) = unit(to_light) else {
-            continue;
-        };
-        let lit = lit(phong, colour, incident, normal, direction);
-        if lit != Vec3::ZERO {
-            canvas::count_ray();
-            let ray = from_the_surface(object, point, hit.normal, direction);
-            light += *intensity * lit * light_through(scene, &ray, to_light.length());
+    let Object {
+        shape, material, ..
+    } = &scene.objects[at.index];
+    let Material { phong, optics } = &material.material;
+    // All light from here has come along the ray, through the medium that the ray is in.
+    let path_transmittance = transmittance_along(scene, ray, at.t);
+    let mut radiance = shade(phong, &at, &scene.lights, |_, to_light, distance| {
+        shadow_transmittance(scene, &from_surface(shape, &at, to_light), distance)
+    });
+    for (weight, direction) in scatter(optics, &at, fresnel).into_iter().flatten() {
+        let coefficient = weight * path_transmittance.max_element();
+        if let Some(budget) = budget.attenuated(coefficient) {
+            let next = from_surface(shape, &at, direction);
+            radiance += weight * trace(scene, &next, budget);
         }
     }
-
-    for (share, direction) in ways_on(body, incident, hit.normal, fresnel) {
-        if let Some(reach) = reach.after(share * on_the_way.max_element()) {
-            canvas::count_ray();
-            let leaving = from_the_surface(object, point, hit.normal, direction);
-            light += share * trace(scene, leaving, reach);
-        }
-    }
-    on_the_way * light
+    path_transmittance * radiance
 }
 // ANCHOR_END: trace

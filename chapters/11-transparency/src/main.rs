@@ -1,5 +1,5 @@
 //! `cargo run --bin 11-transparency`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&transparency::STAGE)
+    preview::run(&transparency::STAGE)
 }

@@ -1,4 +1,4 @@
-//! Sixteen numbers that are calculated with as if they were one, and vectors of them.
+//! Sixteen numbers in place of one, and vectors of them.
 
 // ANCHOR: lanes
 use glam::Vec3;
@@ -7,15 +7,15 @@ use wide::Select;
 
 /// Sixteen numbers: one register of AVX-512, two of AVX2, four of any other machine.
 ///
-/// A comparison gives a mask: every bit of a lane where it holds, none where it does not.
+/// A comparison returns a mask: in each lane all bits are set if it holds, and none if not.
 pub use wide::f32x16 as Lanes;
 
-/// How many lanes there are.
+/// The number of lanes.
 pub const LANES: usize = 16;
 
-/// A vector in every lane; sums and products are glam's, in glam's order.
+/// A vector in every lane; sums and products have the order of glam's.
 #[derive(Clone, Copy, Debug)]
-pub struct Vectors {
+pub struct Vec3x16 {
     /// Their x.
     pub x: Lanes,
     /// Their y.
@@ -26,8 +26,8 @@ pub struct Vectors {
 // ANCHOR_END: lanes
 
 // ANCHOR: vectors
-impl Vectors {
-    /// The same vector in every lane.
+impl Vec3x16 {
+    /// Returns the same vector in every lane.
     #[must_use]
     #[inline]
     pub fn splat(vector: Vec3) -> Self {
@@ -47,48 +47,56 @@ impl Vectors {
         }
     }
 
-    /// The dot products.
+    /// Returns the dot products.
     #[must_use]
     #[inline]
     pub fn dot(self, other: Self) -> Lanes {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The lengths.
+    /// Returns the lengths.
     #[must_use]
     #[inline]
     pub fn length(self) -> Lanes {
         self.dot(self).sqrt()
     }
 
-    /// The unit vectors, as glam makes them: one division, and three products.
+    /// Returns the unit vectors, calculated as glam does: one division and three products.
     #[must_use]
     #[inline]
     pub fn normalize(self) -> Self {
         self * (1.0 / self.length())
     }
 
-    /// A mask: where chapter 1's `unit` finds a unit vector.
+    /// Returns the unit vectors, or Y where there is none, as `Sphere::normal` does.
     #[must_use]
     #[inline]
-    pub fn have_unit(self) -> Lanes {
+    pub fn normalize_or_y(self) -> Self {
+        let is_normalizable = self.is_normalizable();
+        is_normalizable.select(self.normalize(), Self::splat(Vec3::Y))
+    }
+
+    /// Returns a mask of the vectors that `ray_casting::checked_normalize` accepts.
+    #[must_use]
+    #[inline]
+    pub fn is_normalizable(self) -> Lanes {
         let squared = self.dot(self);
         squared.simd_ge(f32::MIN_POSITIVE) & squared.simd_lt(f32::INFINITY)
     }
 
-    /// Puts the first lanes into their places, [`LANES`] at the most.
-    pub fn write(self, places: &mut [Vec3]) {
+    /// Writes the first lanes to `out`, [`LANES`] at the most.
+    pub fn write(self, out: &mut [Vec3]) {
         let [x, y, z] = [self.x, self.y, self.z].map(Lanes::to_array);
-        for (lane, place) in places.iter_mut().enumerate() {
-            *place = Vec3::new(x[lane], y[lane], z[lane]);
+        for (lane, out) in out.iter_mut().enumerate() {
+            *out = Vec3::new(x[lane], y[lane], z[lane]);
         }
     }
 }
 // ANCHOR_END: vectors
 
 // ANCHOR: operators
-/// A number stands for a vector of three of it.
-impl<T: Into<Lanes>> From<T> for Vectors {
+/// A number stands for the vector whose three components it is.
+impl<T: Into<Lanes>> From<T> for Vec3x16 {
     #[inline]
     fn from(number: T) -> Self {
         let [x, y, z] = [number.into(); 3];
@@ -98,7 +106,7 @@ impl<T: Into<Lanes>> From<T> for Vectors {
 
 macro_rules! operator {
     ($Operator:ident, $function:ident, $sign:tt) => {
-        impl<T: Into<Self>> $Operator<T> for Vectors {
+        impl<T: Into<Self>> $Operator<T> for Vec3x16 {
             type Output = Self;
             #[inline]
             fn $function(self, other: T) -> Self {
@@ -112,9 +120,9 @@ operator!(Sub, sub, -);
 operator!(Mul, mul, *);
 operator!(Div, div, /);
 
-impl Select<Vectors> for Lanes {
+impl Select<Vec3x16> for Lanes {
     #[inline]
-    fn select(self, if_true: Vectors, if_false: Vectors) -> Vectors {
+    fn select(self, if_true: Vec3x16, if_false: Vec3x16) -> Vec3x16 {
         if_true.zip(if_false, |a, b| self.select(a, b))
     }
 }

@@ -1,5 +1,5 @@
 //! `cargo run --release --bin 12-packets`
 
 fn main() -> std::process::ExitCode {
-    canvas::run(&packets::STAGE)
+    preview::run(&packets::STAGE)
 }

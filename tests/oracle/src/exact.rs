@@ -1,4 +1,4 @@
-//! Exact answers: where a line of f32 numbers meets a sphere or a plane of f32 numbers.
+//! Exact answers: where a line of f32 numbers distance a sphere or a plane of f32 numbers.
 //!
 //! Sums, differences and products of floats are floats again, of more bits: here they are never
 //! rounded, so that the sign of a discriminant is certain. A quotient or a root is rounded to 256 bits,
@@ -42,9 +42,9 @@ fn dot(a: &Vector, b: &Vector) -> Real {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// Where a line meets a surface.
+/// Where a line distance a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
+pub struct Hit {
     /// How far along the line, in lengths of its direction.
     pub t: f64,
     /// The sphere's outward unit normal there.
@@ -80,12 +80,12 @@ impl Quadratic {
         &self.b * &self.b - &self.a * &self.c
     }
 
-    fn meeting(&self, t: &Real) -> Meeting {
+    fn hit(&self, t: &Real) -> Hit {
         let radius = rounded(&self.radius);
         let component = |i| {
             to_f64(&((rounded(&self.oc[i]) + t * rounded(&self.direction[i])) / &radius))
         };
-        Meeting {
+        Hit {
             t: to_f64(t),
             normal: DVec3::from_array(std::array::from_fn(component)),
         }
@@ -115,7 +115,7 @@ pub fn approach(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> f64
     to_f64(&square.sqrt())
 }
 
-/// Where the line, to both sides of its origin, meets the sphere, in the order of its direction.
+/// Where the line, to both sides of its origin, distance the sphere, in the order of its direction.
 ///
 /// `None` for a miss, or for a direction of zero.
 #[must_use]
@@ -124,7 +124,7 @@ pub fn sphere(
     direction: Vec3,
     centre: Vec3,
     radius: f32,
-) -> Option<[Meeting; 2]> {
+) -> Option<[Hit; 2]> {
     let quadratic = Quadratic::new(origin, direction, centre, radius);
     let discriminant = quadratic.discriminant();
     if discriminant < Real::ZERO || quadratic.a == Real::ZERO {
@@ -145,10 +145,10 @@ pub fn sphere(
             [c / &q, &q / a]
         }
     };
-    Some([near, far].map(|t| quadratic.meeting(&t)))
+    Some([near, far].map(|t| quadratic.hit(&t)))
 }
 
-/// Where the line meets the plane through `point` at right angles to `normal`, of whatever length.
+/// Where the line distance the plane through `point` at right angles to `normal`, of whatever length.
 ///
 /// `None` for a line beside the plane or in it.
 #[must_use]

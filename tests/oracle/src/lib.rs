@@ -1,13 +1,13 @@
 //! What the chapters are measured against: a plain tracer in f64, and exact answers.
 //!
 //! It shares no code with the chapters, so that a bug in a chapter cannot hide in it: it has types of
-//! its own, finds hits by another derivation, bends light by another, and writes the scene out once
+//! its own, finds hits by another derivation, refracts light by another, and writes the scene out once
 //! more. It knows nothing of speed, and needs no offset: a ray knows the surface that it starts on.
 
-mod border;
 pub mod exact;
+mod interface;
 mod still_life;
-pub use border::Border;
+pub use interface::Interface;
 pub use still_life::{
     still_life, still_life_camera, still_life_with_glass, still_life_with_mirrors,
 };
@@ -17,18 +17,18 @@ use glam::{DVec2, DVec3};
 /// A half-line; its direction need not be a unit vector.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it starts.
+    /// Its first point.
     pub origin: DVec3,
-    /// Where it goes.
+    /// Its direction.
     pub direction: DVec3,
-    /// The thing on whose surface it starts, if on one, by its place in the scene.
+    /// The index of the object on whose surface it starts, if it starts on one.
     pub from: Option<usize>,
 }
 
 /// An eye with an image plane in front of it, whose half-height is 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
-    /// Where all rays start.
+    /// The origin of all camera rays.
     pub eye: DVec3,
     /// The image plane's x; a unit vector, as are the next two.
     pub right: DVec3,
@@ -41,7 +41,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera at `eye` that looks along `forward`, upright: its `right` is level.
+    /// Returns a camera at `eye` that looks along `forward`, upright: its `right` is level.
     #[must_use]
     pub fn upright(eye: DVec3, forward: DVec3, focal_length: f64) -> Self {
         // y up, z away, x to the right: (0,1,0) × (x,y,z) = (z,0,−x).
@@ -57,7 +57,7 @@ impl Camera {
         }
     }
 
-    /// The ray through a point of a picture of `width` by `height` pixels: x from its left edge, y from
+    /// Returns the ray through a point of a picture of `width` by `height` pixels: x from its left edge, y from
     /// its top, both in pixels, so that a pixel's centre is half a pixel away from its corner.
     #[must_use]
     pub fn ray(&self, at: DVec2, [width, height]: [u32; 2]) -> Ray {
@@ -72,31 +72,31 @@ impl Camera {
     }
 }
 
-/// What a ray can meet.
+/// What a ray can hit.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     /// A ball.
     Sphere {
-        /// Its middle.
+        /// Its centre.
         centre: DVec3,
         /// Its radius.
         radius: f64,
     },
-    /// A plane through a point, at right angles to its normal, a unit vector.
+    /// A plane through a point, perpendicular to its normal, a unit vector.
     Plane {
         /// Any one of its points.
         point: DVec3,
-        /// The direction at right angles to it.
+        /// The unit vector perpendicular to it.
         normal: DVec3,
     },
 }
 
 impl Shape {
-    /// Where along the ray's line, in lengths of its direction, it is inside the shape: from a first to
-    /// a second point. A plane has no inside, and both are one.
+    /// Returns the interval of the ray's line inside the shape, in lengths of its direction: its first and
+    /// its second end. A plane has no inside: both are the same.
     ///
-    /// `starts_here` says that the ray's origin is on the shape's surface, and so is one of the two.
-    fn stretch(&self, ray: &Ray, starts_here: bool) -> Option<[f64; 2]> {
+    /// `starts_here` says that the ray's origin, and with it one of the ends, is on the surface.
+    fn interval(&self, ray: &Ray, starts_here: bool) -> Option<[f64; 2]> {
         match *self {
             Shape::Plane { point, normal } => {
                 let height = normal.dot(point - ray.origin);
@@ -131,17 +131,18 @@ impl Shape {
         }
     }
 
-    /// How far along the ray, in lengths of its direction, it first meets the shape ahead of its origin.
+    /// Returns the distance to the first hit ahead of the ray's origin, in lengths of its direction. `None`
+    /// if there is none.
     ///
-    /// `starts_here` says that the origin is on the shape's surface: that is not met a second time, but
-    /// for the far side of a ball.
+    /// `starts_here` says that the origin is on the surface: this is not hit again, but for the far side of
+    /// a ball.
     #[must_use]
-    pub fn meets(&self, ray: &Ray, starts_here: bool) -> Option<f64> {
-        let ends = self.stretch(ray, starts_here)?;
+    pub fn distance(&self, ray: &Ray, starts_here: bool) -> Option<f64> {
+        let ends = self.interval(ray, starts_here)?;
         ends.into_iter().find(|&t| t > 0.0)
     }
 
-    /// The point of the surface next to one that has been computed.
+    /// Returns the point of the surface that is nearest to a computed one.
     fn nearest_to(&self, at: DVec3) -> DVec3 {
         match *self {
             Shape::Sphere { centre, radius } => centre + radius * self.normal(at),
@@ -149,7 +150,7 @@ impl Shape {
         }
     }
 
-    /// The unit vector at right angles to the surface at one of its points, out of a sphere.
+    /// Returns the unit normal at a point of the surface, outward for a sphere.
     #[must_use]
     pub fn normal(&self, at: DVec3) -> DVec3 {
         match *self {
@@ -161,18 +162,18 @@ impl Shape {
 
 /// A surface's colour, linear.
 #[derive(Clone, Copy, Debug)]
-pub enum Paint {
+pub enum Texture {
     /// The same everywhere.
-    Plain(DVec3),
+    Solid(DVec3),
     /// Squares of side 1 by x and z: where ⌊x⌋ + ⌊z⌋ is even, and where it is odd.
     Checker(DVec3, DVec3),
 }
 
-impl Paint {
+impl Texture {
     fn at(&self, point: DVec3) -> DVec3 {
         match *self {
-            Paint::Plain(colour) => colour,
-            Paint::Checker(even, odd) => {
+            Texture::Solid(colour) => colour,
+            Texture::Checker(even, odd) => {
                 // Of a sum of whole numbers below 2⁵³, the remainder is exact.
                 if (point.x.floor() + point.z.floor()) % 2.0 == 0.0 {
                     even
@@ -184,11 +185,11 @@ impl Paint {
     }
 }
 
-/// How a surface answers to light, by Phong.
+/// How a surface reflects light, by Phong.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
     /// Its colour.
-    pub paint: Paint,
+    pub texture: Texture,
     /// kₐ.
     pub ambient: f64,
     /// k_d.
@@ -199,135 +200,135 @@ pub struct Surface {
     pub shininess: i32,
 }
 
-/// What becomes of the light that a surface does not scatter.
+/// What becomes of light that a surface does not scatter.
 #[derive(Clone, Copy, Debug)]
-pub enum Body {
-    /// This share of it is mirrored, and the rest is lost.
+pub enum Optics {
+    /// This fraction of it is reflected, and the rest is lost.
     Opaque(f64),
-    /// It goes through.
-    Clear {
-        /// The index of refraction within.
-        inside: f64,
-        /// The index of refraction around it.
-        outside: f64,
-        /// How much of what glass does it does.
+    /// It passes through.
+    Dielectric {
+        /// The index of refraction inside.
+        eta_inside: f64,
+        /// The index of refraction outside.
+        eta_outside: f64,
+        /// What of a glass's behaviour is modelled.
         glass: Glass,
     },
 }
 
-/// How much a chapter knows of glass.
+/// What of a glass's behaviour is modelled.
 #[derive(Clone, Copy, Debug)]
 pub enum Glass {
-    /// Chapter 7: it bends the light, all of it, and mirrors what cannot go on. It stops a lamp's light.
-    Bends,
-    /// Chapters 8 to 10: it also mirrors its share, by Fresnel. It still stops a lamp's light.
-    Mirrors,
-    /// Chapter 11: it also takes up red, green and blue light at these rates, for each unit of length,
-    /// and a lamp's light goes through it, straight on.
-    Tints(DVec3),
+    /// It refracts all of the light, and reflects only what cannot be refracted. Its shadow is black.
+    Refracts,
+    /// It also reflects, by Fresnel's equations. Its shadow is still black.
+    Reflects,
+    /// It also absorbs red, green and blue light at these rates per unit of length, and a light shines
+    /// through it, straight on.
+    Absorbs(DVec3),
 }
 
-/// A shape and what it is made of.
+/// A shape, and its material.
 #[derive(Clone, Copy, Debug)]
-pub struct Thing {
+pub struct Object {
     /// Its shape.
     pub shape: Shape,
     /// Its surface.
     pub surface: Surface,
-    /// What is behind the surface.
-    pub body: Body,
+    /// What becomes of light that the surface does not scatter.
+    pub optics: Optics,
 }
 
-/// A point that shines in all directions, as bright from afar as from nearby.
+/// A point that shines in all directions; its light does not fade with distance.
 #[derive(Clone, Copy, Debug)]
-pub struct Lamp {
-    /// Where it is.
+pub struct PointLight {
+    /// Its position.
     pub position: DVec3,
-    /// How bright it is.
+    /// Its intensity.
     pub intensity: f64,
 }
 
-/// Everything there is.
+/// Objects, lights and a background.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// What a ray can meet.
-    pub things: Vec<Thing>,
-    /// The lamps.
-    pub lamps: Vec<Lamp>,
-    /// The light of a ray that meets nothing.
+    /// What a ray can hit.
+    pub objects: Vec<Object>,
+    /// The lights.
+    pub lights: Vec<PointLight>,
+    /// The radiance along a ray that hits nothing.
     pub background: DVec3,
 }
 
-/// Where a ray has met a thing.
+/// A ray's hit on an object.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting {
-    /// Which thing, by its place in the scene.
-    pub thing: usize,
+pub struct Interaction {
+    /// The object's index in the scene.
+    pub object: usize,
     /// The point.
     pub point: DVec3,
     /// The surface's unit normal there, on the side that the ray has come from.
     pub normal: DVec3,
-    /// Whether the ray comes from inside the thing, or from below a plane.
+    /// Whether the ray comes from inside the object, or from below a plane.
     pub leaves: bool,
 }
 
-impl Meeting {
-    /// The ray that goes on from here.
+impl Interaction {
+    /// Returns the ray that leaves the hit in a direction.
     #[must_use]
-    pub fn towards(&self, direction: DVec3) -> Ray {
+    pub fn spawn(&self, direction: DVec3) -> Ray {
         Ray {
             origin: self.point,
             direction,
-            from: Some(self.thing),
+            from: Some(self.object),
         }
     }
 }
 
 impl Scene {
-    /// From where to where along a ray it is in the thing at a place of the scene; the ray does not
-    /// meet the surface on which it starts a second time, but for the far side of a ball.
-    fn stretch(&self, thing: usize, ray: &Ray) -> Option<[f64; 2]> {
-        let starts_here = ray.from == Some(thing);
-        self.things[thing].shape.stretch(ray, starts_here)
+    /// Returns the interval of a ray inside the object with this index.
+    fn interval(&self, object: usize, ray: &Ray) -> Option<[f64; 2]> {
+        let starts_here = ray.from == Some(object);
+        self.objects[object].shape.interval(ray, starts_here)
     }
 
-    /// How far along the ray, in lengths of its direction, it first meets a thing ahead of its origin.
-    fn meets(&self, thing: usize, ray: &Ray) -> Option<f64> {
-        let starts_here = ray.from == Some(thing);
-        self.things[thing].shape.meets(ray, starts_here)
+    /// Returns the distance to the ray's first hit on the object with this index.
+    fn distance(&self, object: usize, ray: &Ray) -> Option<f64> {
+        let starts_here = ray.from == Some(object);
+        self.objects[object].shape.distance(ray, starts_here)
     }
 
-    /// The first thing in a ray's way.
+    /// Returns the ray's first hit.
     #[must_use]
-    pub fn first(&self, ray: &Ray) -> Option<Meeting> {
-        let things = 0..self.things.len();
-        let met = things.filter_map(|thing| Some((thing, self.meets(thing, ray)?)));
-        let (thing, t) = met.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let shape = self.things[thing].shape;
+    pub fn intersect(&self, ray: &Ray) -> Option<Interaction> {
+        let objects = 0..self.objects.len();
+        let met =
+            objects.filter_map(|object| Some((object, self.distance(object, ray)?)));
+        let (object, t) = met.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let shape = self.objects[object].shape;
         let point = shape.nearest_to(ray.origin + t * ray.direction);
         let normal = shape.normal(point);
         let leaves = normal.dot(ray.direction) > 0.0;
-        Some(Meeting {
-            thing,
+        Some(Interaction {
+            object,
             point,
             normal: if leaves { -normal } else { normal },
             leaves,
         })
     }
 
-    /// What is left, of red, green and blue, of light that goes straight along a ray as far as the end
-    /// of its direction, through all the tinted glass on the way.
+    /// Returns the transmittance, for red, green and blue, of all absorbing glass along a ray, from t = 0 to
+    /// t = 1.
     ///
     /// Source: Beer–Lambert: e^(−a d).
     #[expect(clippy::disallowed_methods, reason = "the oracle makes no picture")]
     fn transmittance(&self, ray: &Ray) -> DVec3 {
         let mut exponent = DVec3::ZERO;
-        for (thing, Thing { body, .. }) in self.things.iter().enumerate() {
-            if let Body::Clear {
-                glass: Glass::Tints(absorption),
+        for (object, Object { optics, .. }) in self.objects.iter().enumerate() {
+            if let Optics::Dielectric {
+                glass: Glass::Absorbs(absorption),
                 ..
-            } = body
-                && let Some([from, to]) = self.stretch(thing, ray)
+            } = optics
+                && let Some([from, to]) = self.interval(object, ray)
             {
                 let inside = to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0);
                 exponent -= *absorption * inside * ray.direction.length();
@@ -336,159 +337,159 @@ impl Scene {
         exponent.map(f64::exp)
     }
 
-    /// How much of a lamp's red, green and blue light reaches a point.
+    /// Returns the fraction of a light's red, green and blue that arrives at a hit.
     ///
-    /// A lamp behind the surface is hidden by it.
+    /// A light behind the surface is hidden by it.
     #[must_use]
-    pub fn reaches(&self, at: &Meeting, lamp: &Lamp) -> DVec3 {
-        // The way is as long as its direction: the lamp is at t = 1.
-        let way = at.towards(lamp.position - at.point);
-        let blocks = |thing: usize| {
-            let body = self.things[thing].body;
+    pub fn visibility(&self, at: &Interaction, light: &PointLight) -> DVec3 {
+        // The light is at t = 1.
+        let shadow_ray = at.spawn(light.position - at.point);
+        let occludes = |object: usize| {
+            let optics = self.objects[object].optics;
             !matches!(
-                body,
-                Body::Clear {
-                    glass: Glass::Tints(_),
+                optics,
+                Optics::Dielectric {
+                    glass: Glass::Absorbs(_),
                     ..
                 }
-            ) && self.meets(thing, &way).is_some_and(|t| t < 1.0)
+            ) && self.distance(object, &shadow_ray).is_some_and(|t| t < 1.0)
         };
-        let is_lit =
-            at.normal.dot(way.direction) > 0.0 && !(0..self.things.len()).any(blocks);
+        let is_lit = at.normal.dot(shadow_ray.direction) > 0.0
+            && !(0..self.objects.len()).any(occludes);
         if is_lit {
-            self.transmittance(&way)
+            self.transmittance(&shadow_ray)
         } else {
             DVec3::ZERO
         }
     }
 }
 
-/// Chapter 3: the flat colour of what a ray meets first.
+/// Returns the flat colour of the first object that a ray hits.
 #[must_use]
 pub fn trace_flat(scene: &Scene, ray: &Ray) -> DVec3 {
-    scene.first(ray).map_or(scene.background, |at| {
-        scene.things[at.thing].surface.paint.at(at.point)
+    scene.intersect(ray).map_or(scene.background, |at| {
+        scene.objects[at.object].surface.texture.at(at.point)
     })
 }
 
-/// Chapter 4: the same, times the light of the lamps that reach it.
+/// Returns the flat colour, times the light that arrives from the visible lights.
 #[must_use]
 pub fn trace_shadows(scene: &Scene, ray: &Ray) -> DVec3 {
-    scene.first(ray).map_or(scene.background, |at| {
-        let lamps = scene.lamps.iter();
-        let light: DVec3 = lamps
-            .map(|lamp| lamp.intensity * scene.reaches(&at, lamp))
+    scene.intersect(ray).map_or(scene.background, |at| {
+        let lights = scene.lights.iter();
+        let light: DVec3 = lights
+            .map(|light| light.intensity * scene.visibility(&at, light))
             .sum();
-        light * scene.things[at.thing].surface.paint.at(at.point)
+        light * scene.objects[at.object].surface.texture.at(at.point)
     })
 }
 
-/// Chapter 5: ambient, diffuse and specular light.
+/// Ambient, diffuse and specular light.
 #[must_use]
 pub fn trace_shaded(scene: &Scene, ray: &Ray) -> DVec3 {
-    scene.first(ray).map_or(scene.background, |at| {
-        local_light(scene, ray.direction, &at)
-    })
+    scene
+        .intersect(ray)
+        .map_or(scene.background, |at| shade(scene, ray.direction, &at))
 }
 
-/// How far rays are followed.
+/// How far paths of rays are traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit {
-    /// The most bounces.
+    /// The greatest number of bounces.
     pub bounces: u32,
-    /// A ray that brings no more than this share of the picture's light is not followed.
-    pub share: f64,
+    /// Rays with a throughput at or below this are not traced.
+    pub min_throughput: f64,
 }
 
-/// Chapters 6 to 11: what is seen in mirrors and through glass as well, from things to things.
+/// Returns the radiance along a ray, with what is seen in mirrors and through glass.
 #[must_use]
 pub fn trace(scene: &Scene, ray: &Ray, limit: Limit) -> DVec3 {
-    follow(scene, ray, limit, 1.0)
+    radiance(scene, ray, limit, 1.0)
 }
 
-/// What a ray brings back that brings this `share` of the picture's light.
-fn follow(scene: &Scene, ray: &Ray, limit: Limit, share: f64) -> DVec3 {
-    let Some(at) = scene.first(ray) else {
+/// Returns the radiance along a ray with this `throughput`.
+fn radiance(scene: &Scene, ray: &Ray, limit: Limit, throughput: f64) -> DVec3 {
+    let Some(at) = scene.intersect(ray) else {
         return scene.background;
     };
-    // Whatever comes from there comes the way that the ray has gone.
-    let left = scene.transmittance(&Ray {
+    // All light from there has come along the ray.
+    let transmitted = scene.transmittance(&Ray {
         direction: at.point - ray.origin,
         ..*ray
     });
-    let go_on = |part: f64, direction: DVec3| {
-        let share = share * part * left.max_element();
-        if limit.bounces == 0 || !(share > limit.share) {
+    let trace_next = |weight: f64, direction: DVec3| {
+        let throughput = throughput * weight * transmitted.max_element();
+        if limit.bounces == 0 || !(throughput > limit.min_throughput) {
             return DVec3::ZERO;
         }
         let limit = Limit {
             bounces: limit.bounces - 1,
             ..limit
         };
-        part * follow(scene, &at.towards(direction), limit, share)
+        weight * radiance(scene, &at.spawn(direction), limit, throughput)
     };
     let incident = ray.direction.normalize();
-    let seen = match scene.things[at.thing].body {
-        Body::Opaque(mirrored) => go_on(
-            mirrored,
-            Border::new(incident, at.normal, [1.0, 1.0]).mirrored,
+    let seen = match scene.objects[at.object].optics {
+        Optics::Opaque(reflected) => trace_next(
+            reflected,
+            Interface::new(incident, at.normal, [1.0, 1.0]).reflected,
         ),
-        Body::Clear {
-            inside,
-            outside,
+        Optics::Dielectric {
+            eta_inside,
+            eta_outside,
             glass,
         } => {
             let indices = if at.leaves {
-                [inside, outside]
+                [eta_inside, eta_outside]
             } else {
-                [outside, inside]
+                [eta_outside, eta_inside]
             };
-            let border = Border::new(incident, at.normal, indices);
-            match (border.refracted, glass) {
-                (None, _) => go_on(1.0, border.mirrored),
-                (Some(refracted), Glass::Bends) => go_on(1.0, refracted),
-                (Some(refracted), Glass::Mirrors | Glass::Tints(_)) => {
-                    go_on(border.reflectance, border.mirrored)
-                        + go_on(1.0 - border.reflectance, refracted)
+            let interface = Interface::new(incident, at.normal, indices);
+            match (interface.refracted, glass) {
+                (None, _) => trace_next(1.0, interface.reflected),
+                (Some(refracted), Glass::Refracts) => trace_next(1.0, refracted),
+                (Some(refracted), Glass::Reflects | Glass::Absorbs(_)) => {
+                    trace_next(interface.reflectance, interface.reflected)
+                        + trace_next(1.0 - interface.reflectance, refracted)
                 }
             }
         }
     };
-    left * (local_light(scene, incident, &at) + seen)
+    transmitted * (shade(scene, incident, &at) + seen)
 }
 
-/// kₐ C + Σ I (k_d C (N·L) + kₛ (R·L)ⁿ) over the lamps that light the point; R mirrors the unit vector
-/// `incident`.
+/// Returns kₐ C + Σ I (k_d C (N·L) + kₛ (R·L)ⁿ) over the visible lights; R is the unit vector `incident`,
+/// reflected.
 #[expect(clippy::disallowed_methods, reason = "the oracle makes no picture")]
-fn local_light(scene: &Scene, incident: DVec3, at: &Meeting) -> DVec3 {
-    let surface = &scene.things[at.thing].surface;
-    let colour = surface.paint.at(at.point);
-    let mirrored = incident - 2.0 * incident.dot(at.normal) * at.normal;
-    let mut light = surface.ambient * colour;
-    for lamp in &scene.lamps {
-        let to_lamp = (lamp.position - at.point).normalize();
-        let highlight = mirrored.dot(to_lamp).max(0.0).powi(surface.shininess);
-        let diffuse = surface.diffuse * at.normal.dot(to_lamp) * colour;
-        light += lamp.intensity
-            * scene.reaches(at, lamp)
+fn shade(scene: &Scene, incident: DVec3, at: &Interaction) -> DVec3 {
+    let surface = &scene.objects[at.object].surface;
+    let colour = surface.texture.at(at.point);
+    let reflected = incident - 2.0 * incident.dot(at.normal) * at.normal;
+    let mut radiance = surface.ambient * colour;
+    for light in &scene.lights {
+        let to_light = (light.position - at.point).normalize();
+        let highlight = reflected.dot(to_light).max(0.0).powi(surface.shininess);
+        let diffuse = surface.diffuse * at.normal.dot(to_light) * colour;
+        radiance += light.intensity
+            * scene.visibility(at, light)
             * (diffuse + surface.specular * highlight);
     }
-    light
+    radiance
 }
 
-/// The pixels' centres in a picture of `width` by `height`, row by row from the top.
+/// Returns the pixels' centres in a picture of `width` by `height`, row by row from the top.
 pub fn pixel_centres([width, height]: [u32; 2]) -> impl Iterator<Item = DVec2> {
     let row = move |y| (0..width).map(move |x| DVec2::new(f64::from(x), f64::from(y)));
     (0..height).flat_map(row).map(|corner| corner + 0.5)
 }
 
-/// The level of linear light on a screen, 0 to 255, not rounded: 255 times its sRGB encoding.
+/// Returns the level of linear light on a screen, 0 to 255, not rounded: 255 times its sRGB encoding.
 ///
 /// Source: IEC 61966-2-1.
 #[must_use]
 #[expect(
     clippy::disallowed_methods,
-    reason = "the definition, which the canvas's whole powers are measured against"
+    reason = "the definition, which the canvas's levels are measured against"
 )]
 pub fn level(light: f64) -> f64 {
     let light = light.clamp(0.0, 1.0);
@@ -505,17 +506,17 @@ mod tests {
     use super::*;
     use glam::dvec3;
 
-    fn ball(centre: DVec3, radius: f64, ambient: f64, body: Body) -> Thing {
-        Thing {
+    fn ball(centre: DVec3, radius: f64, ambient: f64, optics: Optics) -> Object {
+        Object {
             shape: Shape::Sphere { centre, radius },
             surface: glow(ambient),
-            body,
+            optics,
         }
     }
 
     fn glow(ambient: f64) -> Surface {
         Surface {
-            paint: Paint::Plain(DVec3::ONE),
+            texture: Texture::Solid(DVec3::ONE),
             ambient,
             diffuse: 0.0,
             specular: 0.0,
@@ -523,10 +524,10 @@ mod tests {
         }
     }
 
-    fn scene(things: Vec<Thing>) -> Scene {
+    fn scene(objects: Vec<Object>) -> Scene {
         Scene {
-            things,
-            lamps: vec![],
+            objects,
+            lights: vec![],
             background: DVec3::ZERO,
         }
     }
@@ -539,19 +540,19 @@ mod tests {
         }
     }
 
-    /// D22: two parallel mirrors that glow by 0.1 and pass on 0.9: Σ 0.1 · 0.9ᵏ = 1 − 0.9ᴰ⁺¹, to the
+    /// Two parallel mirrors that glow by 0.1 and pass on 0.9: Σ 0.1 · 0.9ᵏ = 1 − 0.9ᴰ⁺¹, to the
     /// last bits at depth 5 as at 1000, upright and tilted.
     #[test]
     #[expect(clippy::disallowed_methods, reason = "the closed form")]
     fn two_facing_mirrors_add_up_to_the_closed_form() {
         for normal in [DVec3::X, dvec3(1.0, 2.0, -3.0).normalize()] {
-            let wall = |side: f64| Thing {
+            let wall = |side: f64| Object {
                 shape: Shape::Plane {
                     point: side * normal,
                     normal: -side * normal,
                 },
                 surface: glow(0.1),
-                body: Body::Opaque(0.9),
+                optics: Optics::Opaque(0.9),
             };
             let scene = scene(vec![wall(1.0), wall(-1.0)]);
             let ray = ray(DVec3::ZERO, (normal + dvec3(0.1, 0.0, 0.2)).normalize());
@@ -561,7 +562,7 @@ mod tests {
                     &ray,
                     Limit {
                         bounces,
-                        share: 0.0,
+                        min_throughput: 0.0,
                     },
                 );
                 let exact = 1.0 - 0.9_f64.powi(bounces as i32 + 1);
@@ -570,25 +571,25 @@ mod tests {
         }
     }
 
-    /// D20: inside a mirror sphere at 45°, four bounces make a square. After 1000 of them the fault of
+    /// Inside a mirror sphere at 45°, four bounces make a square. After 1000 of them the fault of
     /// each direction, some 10⁻¹⁶, has been multiplied by the bounces that follow: 1000² · 10⁻¹⁶.
     #[test]
     fn an_orbit_inside_a_mirror_sphere_closes() {
-        let scene = scene(vec![ball(DVec3::ZERO, 1.0, 0.0, Body::Opaque(1.0))]);
+        let scene = scene(vec![ball(DVec3::ZERO, 1.0, 0.0, Optics::Opaque(1.0))]);
         let mut ray = Ray {
             from: Some(0),
             ..ray(DVec3::X, dvec3(-1.0, 1.0, 0.0).normalize())
         };
         let corners = [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y];
         for bounces in 1..=1000 {
-            let at = scene.first(&ray).expect("the sphere is all around");
+            let at = scene.intersect(&ray).expect("the sphere is all around");
             assert!(at.leaves);
             assert!(
                 at.point.distance(corners[bounces % 4]) <= 1e-10,
                 "{bounces}"
             );
-            let border = Border::new(ray.direction, at.normal, [1.0, 1.0]);
-            ray = at.towards(border.mirrored);
+            let interface = Interface::new(ray.direction, at.normal, [1.0, 1.0]);
+            ray = at.spawn(interface.reflected);
         }
     }
 
@@ -599,16 +600,16 @@ mod tests {
     #[expect(clippy::disallowed_methods, reason = "the closed form")]
     fn a_tinted_ball_passes_on_and_mirrors_a_geometric_series() {
         let absorption = dvec3(0.0, 0.3, 2.0);
-        let body = Body::Clear {
-            inside: 1.5,
-            outside: 1.0,
-            glass: Glass::Tints(absorption),
+        let optics = Optics::Dielectric {
+            eta_inside: 1.5,
+            eta_outside: 1.0,
+            glass: Glass::Absorbs(absorption),
         };
-        let mut scene = scene(vec![ball(DVec3::ZERO, 1.0, 0.0, body)]);
+        let mut scene = scene(vec![ball(DVec3::ZERO, 1.0, 0.0, optics)]);
         scene.background = DVec3::ONE;
         let limit = Limit {
             bounces: 200,
-            share: 0.0,
+            min_throughput: 0.0,
         };
         let light = trace(&scene, &ray(dvec3(0.0, 0.0, 5.0), DVec3::NEG_Z), limit);
         let exact = absorption.map(|a| {
@@ -620,32 +621,32 @@ mod tests {
         assert!((light.x - 1.0).abs() <= 1e-14);
     }
 
-    /// A lamp through a tinted ball of radius 1, and from inside it: e^(−a) for each unit of length.
+    /// A light through a tinted ball of radius 1, and from inside it: e^(−a) for each unit of length.
     #[test]
     #[expect(clippy::disallowed_methods, reason = "the closed form")]
     fn a_lamp_shines_through_tinted_glass() {
-        let body = Body::Clear {
-            inside: 1.5,
-            outside: 1.0,
-            glass: Glass::Tints(DVec3::ONE),
+        let optics = Optics::Dielectric {
+            eta_inside: 1.5,
+            eta_outside: 1.0,
+            glass: Glass::Absorbs(DVec3::ONE),
         };
-        let floor = Thing {
+        let floor = Object {
             shape: Shape::Plane {
                 point: DVec3::ZERO,
                 normal: DVec3::Y,
             },
-            ..ball(DVec3::ZERO, 1.0, 0.0, Body::Opaque(0.0))
+            ..ball(DVec3::ZERO, 1.0, 0.0, Optics::Opaque(0.0))
         };
-        let scene = scene(vec![floor, ball(dvec3(0.0, 2.0, 0.0), 1.0, 0.0, body)]);
-        let at = scene.first(&ray(dvec3(1.0, 1.0, 0.0), dvec3(-1.0, -1.0, 0.0)));
+        let scene = scene(vec![floor, ball(dvec3(0.0, 2.0, 0.0), 1.0, 0.0, optics)]);
+        let at = scene.intersect(&ray(dvec3(1.0, 1.0, 0.0), dvec3(-1.0, -1.0, 0.0)));
         let at = at.expect("the floor");
-        assert_eq!((at.thing, at.point, at.leaves), (0, DVec3::ZERO, false));
+        assert_eq!((at.object, at.point, at.leaves), (0, DVec3::ZERO, false));
         for (height, inside) in [(9.0, 2.0_f64), (2.5, 1.5), (0.5, 0.0)] {
-            let lamp = Lamp {
+            let light = PointLight {
                 position: dvec3(0.0, height, 0.0),
                 intensity: 1.0,
             };
-            let left = scene.reaches(&at, &lamp);
+            let left = scene.visibility(&at, &light);
             assert!((left.x - (-inside).exp()).abs() <= 1e-15, "{height}");
         }
     }

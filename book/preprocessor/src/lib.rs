@@ -1,0 +1,124 @@
+//! The studies of the book: which there are, and the numbers that its pages quote.
+
+use mdbook_preprocessor::errors::{Error, Result};
+use speed_and_accuracy::STUDIES;
+use speed_and_accuracy::chart::Quantity;
+use speed_and_accuracy::study::Study;
+use speed_and_accuracy::table::{Table, three_digits};
+
+/// Returns every study.
+pub fn studies() -> impl Iterator<Item = &'static Study> {
+    STUDIES.into_iter().chain([&plan::study::STUDY])
+}
+
+/// Returns the study called `name`, and its table in the book.
+///
+/// # Errors
+/// If there is no such study, or its file holds no table.
+pub fn study(name: &str) -> Result<(&'static Study, Table)> {
+    let study = studies().find(|study| study.name == name);
+    let study = study.ok_or_else(|| {
+        let names: Vec<_> = studies().map(|study| study.name).collect();
+        let names = names.join(", ");
+        Error::msg(format!("there is no study '{name}'; the studies: {names}"))
+    })?;
+    let table = study.table();
+    let table = table.map_err(|problem| Error::msg(format!("{name}.csv: {problem}")))?;
+    Ok((study, table))
+}
+
+/// Returns the number that a page asks for by `STUDY; SCENE; METHOD; SETTING; COLUMN`, as we
+/// write it by hand. The column is `work`, `max`, `rms`, `wrong` or `ns`.
+///
+/// There is no `|` between them, which would end a cell of a table.
+///
+/// # Errors
+/// If there is no such number.
+pub fn measured(asked: &str) -> Result<String> {
+    let words = asked.split_whitespace().collect::<Vec<_>>().join(" ");
+    let number = || {
+        let parts = words.split(';').map(str::trim).collect::<Vec<_>>();
+        let [name, scene, method, setting, column] = parts[..] else {
+            return Err(Error::msg("not STUDY; SCENE; METHOD; SETTING; COLUMN"));
+        };
+        let setting: f64 = setting
+            .parse()
+            .map_err(|_| Error::msg(format!("“{setting}” is not a number")))?;
+        let column = match column {
+            "work" => Quantity::Work,
+            "max" => Quantity::Max,
+            "rms" => Quantity::Rms,
+            "wrong" => Quantity::Wrong,
+            "ns" => Quantity::Ns,
+            _ => return Err(Error::msg(format!("there is no column “{column}”"))),
+        };
+        let (_, table) = study(name)?;
+        let row = table.rows.iter().find(|row| {
+            row.scene == scene && row.method == method && row.setting == setting
+        });
+        let row = row.ok_or_else(|| Error::msg("there is no such row"))?;
+        column
+            .of(row)
+            .ok_or_else(|| Error::msg("the cell is empty"))
+    };
+    let problem = |problem| Error::msg(format!("{{{{#measured {words}}}}}: {problem}"));
+    number().map(for_readers).map_err(problem)
+}
+
+/// Returns a number as the table has it, but with its power of ten as we write it by hand.
+fn for_readers(number: f64) -> String {
+    if number.is_infinite() {
+        return "∞".to_string();
+    }
+    let digits = three_digits(number);
+    match digits.split_once('e') {
+        Some((digits, exponent)) => {
+            // No line ends within it.
+            let exponent = exponent.replace('-', "−");
+            format!("{digits}\u{a0}×\u{a0}10<sup>{exponent}</sup>")
+        }
+        None => digits,
+    }
+}
+
+#[cfg(test)]
+mod a_number {
+    use super::{for_readers, measured, studies};
+
+    #[test]
+    fn is_written_as_by_hand() {
+        for (number, written) in [
+            (0.0, "0"),
+            (4.45, "4.45"),
+            (307_000.0, "307000"),
+            (1.13e6, "1.13\u{a0}×\u{a0}10<sup>6</sup>"),
+            (1.2e-7, "1.2\u{a0}×\u{a0}10<sup>−7</sup>"),
+            (f64::INFINITY, "∞"),
+        ] {
+            assert_eq!(for_readers(number), written);
+        }
+    }
+
+    #[test]
+    fn is_found_in_every_cell_that_is_not_empty() {
+        for study in studies() {
+            let rows = study.table().unwrap().rows;
+            // Each asks for the whole table: a few of them are enough.
+            for row in rows.iter().step_by(rows.len() / 8 + 1) {
+                let (scene, method, setting) = (&row.scene, &row.method, row.setting);
+                let cells = [
+                    ("work", row.work),
+                    ("max", row.max),
+                    ("rms", row.rms),
+                    ("wrong", row.wrong),
+                    ("ns", row.ns),
+                ];
+                for (column, cell) in cells {
+                    let name = study.name;
+                    let asked = format!("{name}; {scene}; {method}; {setting}; {column}");
+                    assert_eq!(measured(&asked).ok(), cell.map(for_readers), "{asked}");
+                }
+            }
+        }
+    }
+}

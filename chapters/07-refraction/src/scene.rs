@@ -1,0 +1,60 @@
+//! The still life with its ball of glass.
+
+use crate::{Material, Optics};
+use glam::Vec3;
+use plane_hit::Texture;
+use ray_casting::Camera;
+use reflection::Mirror;
+use reflection::scene::still_life_mirrors;
+use shading::Phong;
+use shadows::Scene;
+use shadows::scene::lit_still_life;
+
+// ANCHOR: glass
+/// The index of refraction of air, as good as a vacuum's.
+pub const AIR: f32 = 1.0;
+/// The index of refraction of common glass.
+pub const GLASS: f32 = 1.5;
+
+/// Returns the still life with its last ball of a dielectric, with an index of refraction
+/// inside and another all around it.
+#[must_use]
+pub fn still_life_with_glass(eta_inside: f32, eta_outside: f32) -> Scene<Material> {
+    let [floor, red, mirror, green, blue, _] = still_life_mirrors().map(opaque);
+    // A clear ball reflects nothing diffusely. Of the lights it shows the highlights alone.
+    let phong = Phong {
+        colour: Texture::Solid(Vec3::ONE),
+        ambient: 0.0,
+        diffuse: 0.0,
+        specular: 0.8,
+        shininess: 200,
+    };
+    let optics = Optics::Dielectric {
+        eta_inside,
+        eta_outside,
+    };
+    let glass = Material { phong, optics };
+    lit_still_life([floor, red, mirror, green, blue, glass])
+}
+
+/// Returns the same surface as an opaque material.
+#[must_use]
+pub fn opaque(mirror: Mirror) -> Material {
+    let Mirror {
+        phong,
+        reflectivity,
+    } = mirror;
+    let optics = Optics::Opaque { reflectivity };
+    Material { phong, optics }
+}
+// ANCHOR_END: glass
+
+// ANCHOR: close-up
+/// Returns a camera that looks at the ball of glass from nearby.
+#[must_use]
+pub fn close_up() -> Camera {
+    let eye = Vec3::new(0.7, 1.2, -4.2);
+    let towards = Vec3::new(0.9, 0.6, -1.2) - eye;
+    Camera::new(eye, towards, Vec3::Y, 3.4).expect("a camera")
+}
+// ANCHOR_END: close-up

@@ -1,0 +1,138 @@
+//! What a chart shows of a study's table: its lines, their styles, and the Pareto front.
+
+use crate::table::{Measurement, Table};
+use std::collections::BTreeMap;
+
+// ANCHOR: chart
+/// One chart: two quantities against each other, on logarithmic axes.
+pub struct Chart {
+    /// What to see in it.
+    pub title: &'static str,
+    /// The scene whose measurements it shows.
+    pub scene: &'static str,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+}
+
+/// A quantity, and what the study calls it, with its unit.
+pub type Axis = (Quantity, &'static str);
+
+/// A column of numbers in a study's table, as [`Measurement`] explains it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "they are the fields of `Measurement`")]
+pub enum Quantity {
+    Setting,
+    Work,
+    Max,
+    Rms,
+    Wrong,
+    Ns,
+}
+// ANCHOR_END: chart
+
+impl Quantity {
+    /// Returns the number in this column of a row, or `None` if the cell is empty.
+    #[must_use]
+    pub fn of(self, row: &Measurement) -> Option<f64> {
+        match self {
+            Self::Setting => Some(row.setting),
+            Self::Work => row.work,
+            Self::Max => row.max,
+            Self::Rms => row.rms,
+            Self::Wrong => row.wrong,
+            Self::Ns => row.ns,
+        }
+    }
+}
+
+/// A point of a chart: x and y.
+pub type Point = (f64, f64);
+
+/// What a chart shows of one method.
+pub struct Line<'a> {
+    /// The method's name.
+    pub method: &'a str,
+    /// A point for each setting, in the order of the table.
+    pub points: Vec<Point>,
+}
+
+impl Chart {
+    /// Returns the chart of a scene, still without a title.
+    pub const fn new(scene: &'static str, x: Axis, y: Axis) -> Self {
+        let title = "";
+        Self { title, scene, x, y }
+    }
+
+    /// Returns the chart with a title.
+    pub const fn titled(self, title: &'static str) -> Self {
+        Self { title, ..self }
+    }
+
+    /// Returns a line for each method, in the order of the table.
+    #[must_use]
+    pub fn lines<'a>(&self, table: &'a Table) -> Vec<Line<'a>> {
+        let mut lines: Vec<Line> = Vec::new();
+        for row in table.rows.iter().filter(|row| row.scene == self.scene) {
+            let (Some(x), Some(y)) = (self.x.0.of(row), self.y.0.of(row)) else {
+                continue;
+            };
+            let method = row.method.as_str();
+            match lines.iter_mut().find(|line| line.method == method) {
+                Some(line) => line.points.push((x, y)),
+                None => lines.push(Line {
+                    method,
+                    points: vec![(x, y)],
+                }),
+            }
+        }
+        lines
+    }
+
+    /// Returns whether x is a cost: then y is an error, and the front is drawn.
+    #[must_use]
+    pub const fn show_pareto_front(&self) -> bool {
+        matches!(self.x.0, Quantity::Work | Quantity::Ns)
+    }
+}
+
+// ANCHOR: front
+/// Returns the points that no other beats in both x and y, from the left.
+#[must_use]
+pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
+    let mut points: Vec<Point> = points.into_iter().collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut least = None;
+    points.retain(|&(_, y)| {
+        let is_best = least.is_none_or(|least| y < least);
+        least = if is_best { Some(y) } else { least };
+        is_best
+    });
+    points
+}
+// ANCHOR_END: front
+
+/// Returns a number for each method, that of its colour and mark: the same in all charts,
+/// and another than that of any method that stands beside it in one of them.
+#[must_use]
+pub fn styles<'a>(charts: &[Chart], table: &'a Table) -> BTreeMap<&'a str, usize> {
+    let methods = |chart: &Chart| {
+        let lines = chart.lines(table).into_iter();
+        lines.map(|line| line.method).collect::<Vec<_>>()
+    };
+    let charts: Vec<Vec<&str>> = charts.iter().map(methods).collect();
+    let mut styles = BTreeMap::new();
+    for method in charts.concat() {
+        let beside = charts
+            .iter()
+            .filter(|chart| chart.contains(&method))
+            .flatten();
+        let taken: Vec<usize> = beside.filter_map(|m| styles.get(m).copied()).collect();
+        let free = (0..=taken.len()).find(|style| !taken.contains(style));
+        styles
+            .entry(method)
+            .or_insert(free.expect("one more than are taken"));
+    }
+    styles
+}

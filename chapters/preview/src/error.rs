@@ -1,0 +1,111 @@
+//! Why a program did not do what it was asked to.
+
+use crate::terminal::print_error;
+use std::fmt::{self, Display};
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Why a program did not do what it was asked to.
+///
+/// Its `Display` is one line, which says what is wrong and what would be right.
+#[derive(Debug)]
+pub enum Error {
+    /// The arguments make no sense.
+    Usage(clap::Error),
+    /// The folder of the file `path` does not exist.
+    NoFolder {
+        /// The file to be saved.
+        path: PathBuf,
+        /// Its folder.
+        folder: PathBuf,
+    },
+    /// The path of the file to be saved is a folder's.
+    IsFolder(PathBuf),
+    /// The path of the file to be saved is a device's, or a pipe's.
+    NotAFile(PathBuf),
+    /// The file to be replaced is read-only.
+    ReadOnly(PathBuf),
+    /// The file `path` could not be written.
+    Write {
+        /// The file to be saved.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
+    },
+}
+
+impl Error {
+    /// Returns an [`Error::Usage`] with a message of one line.
+    #[must_use]
+    pub fn usage(message: impl Display) -> Self {
+        clap::Error::raw(clap::error::ErrorKind::ValueValidation, message).into()
+    }
+}
+
+impl Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Usage(error) => f.write_str(&one_line(error)),
+            Self::NoFolder { path, folder } => write!(
+                f,
+                "cannot save {}: there is no folder {}; create it first",
+                path.display(),
+                folder.display()
+            ),
+            Self::IsFolder(path) => write!(
+                f,
+                "cannot save {}: it is a folder; name a file in it",
+                path.display()
+            ),
+            Self::NotAFile(path) => write!(
+                f,
+                "cannot save {}: it is not a regular file; name one that ends in .png",
+                path.display()
+            ),
+            Self::ReadOnly(path) => write!(
+                f,
+                "cannot save {}: it is read-only; make it writable or choose another name",
+                path.display()
+            ),
+            Self::Write { path, source } => {
+                write!(f, "cannot save {}: {source}", path.display())
+            }
+        }
+    }
+}
+
+/// Returns clap's explanation in one line. Of its paragraphs the usage is left out.
+fn one_line(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text).trim_end();
+    let paragraphs = text
+        .split("\n\n")
+        .filter(|part| !part.starts_with("Usage: "));
+    let lines: Vec<_> = paragraphs
+        .map(|part| part.lines().map(str::trim).collect::<Vec<_>>().join(" "))
+        .collect();
+    lines.join(". ")
+}
+
+impl std::error::Error for Error {}
+
+impl From<clap::Error> for Error {
+    fn from(error: clap::Error) -> Self {
+        Self::Usage(error)
+    }
+}
+
+/// Prints the error, if there is one, and returns the exit code that the program ends
+/// with: 0 for success, 2 for arguments that make no sense, 1 for other errors.
+#[must_use]
+pub fn exit_code(result: Result<(), Error>) -> ExitCode {
+    let Err(error) = result else {
+        return ExitCode::SUCCESS;
+    };
+    print_error(&error);
+    match error {
+        Error::Usage(_) => ExitCode::from(2),
+        _ => ExitCode::FAILURE,
+    }
+}

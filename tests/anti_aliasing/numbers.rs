@@ -1,0 +1,80 @@
+//! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
+//! under test has written them.
+
+use ::anti_aliasing::{STAGE, Sampler, adaptive, jittered, mean_of_levels, regular};
+use canvas::{Pixel, encode};
+use glam::{UVec2, Vec2, Vec3};
+use harness::{Numbers, SMALL, evenly, percent, render_at, table};
+
+/// A square picture whose pixels have the side 1/32 on the image plane.
+const SIZE: UVec2 = UVec2::splat(64);
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    let pixel = Pixel {
+        x: 0,
+        y: 0,
+        size: SIZE,
+    };
+    let half =
+        |point: Vec2| Vec3::splat(if point.x < pixel.centre().x { 1.0 } else { 0.0 });
+    numbers.note("half-light", encode(regular(pixel, 8, &half))[0]);
+    numbers.note("half-levels", encode(mean_of_levels(pixel, 8, &half))[0]);
+    let samplers: [(&str, Sampler, u32); 5] = [
+        ("1", regular, 1),
+        ("grid, 2 × 2", regular, 2),
+        ("grid, 4 × 4", regular, 4),
+        ("jittered, 4 × 4", jittered, 4),
+        ("adaptive, 2 × 2 or 8 × 8", adaptive, 8),
+    ];
+    numbers.note(
+        "missed",
+        table(samplers.map(|(name, sampler, n)| [name.to_string(), missed(sampler, n)])),
+    );
+    numbers.note("rays", rays());
+    numbers.check(STAGE.name);
+}
+
+/// Returns the fraction of pixels that are black although they hold a white dot with a radius
+/// of a tenth of their side.
+fn missed(sampler: Sampler, n: u32) -> String {
+    let missed = Pixel::all(SIZE).enumerate().filter(|&(i, pixel)| {
+        // The dot lies anywhere, but wholly within the pixel.
+        let [x, y, _] = evenly(i).map(|x| x as f32 - 0.5);
+        let dot = pixel.centre() + 0.8 * pixel.footprint() * Vec2::new(x, y);
+        let radius = 0.1 * pixel.footprint();
+        let radiance = |point: Vec2| {
+            Vec3::splat(if point.distance(dot) < radius {
+                1.0
+            } else {
+                0.0
+            })
+        };
+        sampler(pixel, n, &radiance) == Vec3::ZERO
+    });
+    percent(missed.count(), (SIZE.x * SIZE.y) as usize)
+}
+
+/// Returns the rays of the still life by some samplers, and how many times those of one sample
+/// per pixel they are.
+fn rays() -> String {
+    let rays = |view, n| render_at(&STAGE, view, n, SMALL).rays;
+    let once = rays("grid", 1.0);
+    let settings = [
+        ("grid", 1.0),
+        ("grid", 4.0),
+        ("jittered", 4.0),
+        ("adaptive", 4.0),
+        ("adaptive", 8.0),
+    ];
+    table(settings.map(|(name, n)| {
+        let rays = rays(name, n);
+        let times = rays as f64 / once as f64;
+        [
+            format!("{name}, n = {n}"),
+            rays.to_string(),
+            format!("{times:.2}"),
+        ]
+    }))
+}

@@ -1,0 +1,109 @@
+//! The encoding of light, against its definition by a power in f64; and a picture that is
+//! rendered in the background.
+
+use ::canvas::{Canvas, decode, spawn_render};
+use glam::{UVec2, Vec3};
+use harness::bits;
+use oracle::level;
+
+fn encode(linear: f32) -> u8 {
+    ::canvas::encode(Vec3::splat(linear))[0]
+}
+
+/// Returns the least f32 that the definition encodes to `wanted`: its level, rounded half up.
+fn threshold(wanted: u8) -> f32 {
+    let is_at_least =
+        |bits| level(f64::from(f32::from_bits(bits))) >= f64::from(wanted) - 0.5;
+    let (mut below, mut above) = (0, 1.0_f32.to_bits());
+    while above - below > 1 {
+        let middle = below.midpoint(above);
+        if is_at_least(middle) {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+    f32::from_bits(above)
+}
+
+/// On both sides of all 255 thresholds. The definition is not in doubt there: the nearest
+/// f32 is 10⁻⁹ of a level away from every threshold, and a power in f64 is exact to 10⁻¹³.
+#[test]
+fn every_level_begins_where_the_definition_says() {
+    for wanted in 1..=255 {
+        let first = threshold(wanted);
+        let last = first.next_down();
+        for linear in [first, last] {
+            let from_half = level(f64::from(linear)) - (f64::from(wanted) - 0.5);
+            assert!(from_half.abs() > 1e-9, "{linear} is on the edge");
+        }
+        assert_eq!((encode(first), encode(last)), (wanted, wanted - 1));
+    }
+}
+
+/// Decoding gives the least light of a level, so the number just below belongs to the level
+/// below.
+#[test]
+fn a_decoded_level_is_encoded_to_itself() {
+    assert_eq!(decode(0), 0.0);
+    for level in 1..=255 {
+        let least = decode(level);
+        assert_eq!(
+            (encode(least), encode(least.next_down())),
+            (level, level - 1)
+        );
+    }
+}
+
+/// A million floats from 0 to 1, by their bits, in order: correctly rounded, and never darker
+/// than the one before.
+#[test]
+fn encoding_is_rounded_and_monotone() {
+    let mut before = 0;
+    for bits in (0..=1.0_f32.to_bits()).step_by(1013) {
+        let linear = f32::from_bits(bits);
+        let encoded = encode(linear);
+        assert_eq!(
+            f64::from(encoded),
+            level(f64::from(linear)).round(),
+            "{linear}"
+        );
+        assert!(encoded >= before);
+        before = encoded;
+    }
+}
+
+/// Half the light is level 187.516, not 128; numbers that are no light are black.
+#[test]
+fn half_the_light_is_level_188() {
+    assert_eq!(encode(0.5), 188);
+    let ordinary = [(0.0, 0), (1.0, 255), (1.0_f32.next_down(), 255), (2.0, 255)];
+    for (linear, encoded) in ordinary {
+        assert_eq!(encode(linear), encoded);
+    }
+    for linear in [-0.0, -1.0, -1e-45, f32::NEG_INFINITY, f32::NAN, 1e-45] {
+        assert_eq!(encode(linear), 0);
+    }
+    assert_eq!(encode(f32::INFINITY), 255);
+}
+
+/// Rows arrive in any order, each of them once; written to a canvas they are the picture.
+#[test]
+fn a_picture_rendered_in_the_background_is_the_same() {
+    let size = UVec2::new(40, 30);
+    for view in ::canvas::STAGE.views {
+        let picture = || (view.picture)(view.default_setting());
+        let canvas = Canvas::render(&picture(), size);
+        let mut written = Canvas::black(size);
+        let mut rows = 0;
+        for row in spawn_render(picture(), size) {
+            written.write_row(&row);
+            rows += 1;
+        }
+        assert_eq!(rows, size.y);
+        assert!(written.levels == canvas.levels);
+        let [written, canvas] = [written, canvas]
+            .map(|canvas| canvas.radiance.iter().map(bits).collect::<Vec<_>>());
+        assert!(written == canvas);
+    }
+}

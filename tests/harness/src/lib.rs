@@ -1,0 +1,19 @@
+//! What the tests of all chapters share. It knows no chapter but the canvas, so that a
+//! fault in a chapter stops no earlier one's tests.
+
+pub mod agreement;
+mod inputs;
+mod numbers;
+mod pictures;
+pub mod povray;
+mod rounding;
+mod snapshots;
+
+pub use inputs::{cases, evenly, magnitude, special, special_vector, unit_vector};
+pub use numbers::{Numbers, percent, table, three_digits, vector};
+pub use pictures::{
+    HERO, SMALL, chapter, check_threads, largest_difference, ray_counts, render,
+    render_at,
+};
+pub use rounding::{EPS, bits, ulp};
+pub use snapshots::check_pictures;

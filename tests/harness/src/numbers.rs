@@ -1,0 +1,71 @@
+//! The numbers that the book quotes: text snapshots in `book/src/numbers`, which its pages
+//! include by anchor.
+
+use std::fmt::{Display, Write};
+
+/// One file of numbers.
+#[derive(Default)]
+pub struct Numbers(String);
+
+impl Numbers {
+    /// Adds a number, or the rows of a table, which a page includes by its `anchor`.
+    pub fn note(&mut self, anchor: &str, value: impl Display) {
+        writeln!(
+            self.0,
+            "<!-- ANCHOR: {anchor} -->\n{value}\n<!-- ANCHOR_END: {anchor} -->"
+        )
+        .expect("a String takes everything");
+    }
+
+    /// Compares these numbers with the book's file called `name`.
+    ///
+    /// # Panics
+    /// If they differ.
+    pub fn check(&self, name: &str) {
+        let mut settings = insta::Settings::new();
+        settings.set_snapshot_path(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../book/src/numbers"
+        ));
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!(name, self.0));
+    }
+}
+
+/// Returns a fraction as a percentage with three digits.
+#[must_use]
+pub fn percent(part: usize, whole: usize) -> String {
+    // With a space at which no line breaks.
+    format!(
+        "{}\u{a0}%",
+        three_digits(100.0 * part as f64 / whole as f64)
+    )
+}
+
+/// Returns a number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.
+#[must_use]
+pub fn three_digits(x: f64) -> String {
+    let rounded = format!("{x:.2e}");
+    let value: f64 = rounded.parse().expect("a number just written");
+    if value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        rounded
+    }
+}
+
+/// Returns the rows of a Markdown table.
+pub fn table<const N: usize>(rows: impl IntoIterator<Item = [String; N]>) -> String {
+    let rows = rows
+        .into_iter()
+        .map(|row| format!("| {} |", row.join(" | ")));
+    rows.collect::<Vec<_>>().join("\n")
+}
+
+/// Returns a vector with three decimals: `(0.600, −0.800, 0.000)`.
+#[must_use]
+pub fn vector(v: &[f32]) -> String {
+    let numbers: Vec<_> = v.iter().map(|x| format!("{x:.3}")).collect();
+    format!("({})", numbers.join(", ").replace('-', "−"))
+}

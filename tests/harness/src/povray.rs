@@ -1,0 +1,82 @@
+//! The still life with its ball of glass against POV-Ray's: the same model by a renderer
+//! that others wrote, in f64.
+//!
+//! `tests/povray` holds its scene, its pictures and the script that made them.
+
+use crate::{HERO, Numbers, percent, three_digits};
+use canvas::{Canvas, Picture};
+use glam::DVec3;
+use std::path::Path;
+
+/// Returns POV-Ray's picture in linear levels, 1/255 of full light.
+fn theirs(depth: u32) -> Vec<DVec3> {
+    let path = format!("../povray/depth-{depth}.png");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let picture = image::open(path).expect("POV-Ray's picture").into_rgb16();
+    let levels =
+        |pixel: &image::Rgb<u16>| pixel.0.map(|sample| f64::from(sample) / 257.0);
+    picture.pixels().map(|pixel| levels(pixel).into()).collect()
+}
+
+/// Compares pictures, given the number of bounces, with POV-Ray's.
+///
+/// The rays must be followed whatever their throughput, and what is beyond the last bounce
+/// must be black. The differences are at edges and next to the horizon: 0.05 linear level in
+/// the mean, and more than one level in 0.25 % of the pixels at most. With a constant in
+/// place of Fresnel's reflectance the mean is 0.26, with the half vector in place of Phong's
+/// mirror direction 0.39.
+///
+/// # Panics
+/// If the pictures differ by more.
+pub fn assert_picture(name: &str, ours: impl Fn(u32) -> Picture) {
+    assert_radiance(name, [0.05, 0.0025], |bounces| {
+        let radiance = Canvas::render(&ours(bounces), HERO).radiance;
+        radiance
+            .iter()
+            .map(|radiance| radiance.as_dvec3())
+            .collect()
+    });
+}
+
+/// Compares the radiance of an 800 × 600 picture's pixels, given the number of bounces, with
+/// POV-Ray's.
+///
+/// # Panics
+/// If the mean difference is more than `mean_bar` linear levels, or if more than
+/// `fraction_bar` of the pixels are more than one level apart.
+pub fn assert_radiance(
+    name: &str,
+    [mean_bar, fraction_bar]: [f64; 2],
+    ours: impl Fn(u32) -> Vec<DVec3>,
+) {
+    // Its depths include the camera ray.
+    let rows = [6, 12].map(|depth| {
+        let (ours, theirs) = (ours(depth - 1), theirs(depth));
+        assert_eq!(ours.len(), theirs.len());
+        let differences = ours.iter().zip(&theirs).map(|(ours, theirs)| {
+            // A file holds nothing brighter than white.
+            let ours = 255.0 * ours.clamp(DVec3::ZERO, DVec3::ONE);
+            (ours - theirs).abs()
+        });
+        let differences: Vec<DVec3> = differences.collect();
+        let pixels = differences.len() as f64;
+        let mean = differences.iter().sum::<DVec3>().element_sum() / (3.0 * pixels);
+        let apart = differences
+            .iter()
+            .filter(|levels| levels.max_element() > 1.0);
+        let apart = apart.count();
+        assert!(
+            mean <= mean_bar,
+            "a mean difference of {mean} level at depth {depth}"
+        );
+        let fraction = percent(apart, differences.len());
+        assert!(
+            apart as f64 <= fraction_bar * pixels,
+            "{fraction} of the pixels at depth {depth}"
+        );
+        format!("| {depth} | {} level | {fraction} |", three_digits(mean))
+    });
+    let mut numbers = Numbers::default();
+    numbers.note("povray", rows.join("\n"));
+    numbers.check(&format!("{name}-povray"));
+}

@@ -1,0 +1,299 @@
+//! Random scenes, ordinary and extreme ones, for all tests that need any.
+
+use crate::Random;
+use glam::{DVec3, Vec3};
+use plane_hit::{Object, Shape, Texture};
+use ray_casting::Camera;
+use refraction::{Material, Optics};
+use shading::Phong;
+use shadows::{PointLight, Scene};
+use transparency::Absorbing;
+
+/// Returns an ordinary scene and a camera that looks at it: balls of plastic, mirror and glass,
+/// mostly on a floor, under up to three lights. If `disjoint`, no ball touches another or the
+/// floor's underside.
+///
+/// # Panics
+/// Never: all shapes and the camera are valid.
+#[must_use]
+pub fn ordinary(seed: u32, disjoint: bool) -> (Scene<Absorbing>, Camera) {
+    let random = &mut Random::new(seed);
+    let mut objects: Vec<Object<Absorbing>> = Vec::new();
+    if random.chance(0.8) {
+        let checker = Texture::Checker(random.colour(), random.colour());
+        objects.push(Object {
+            name: "floor",
+            shape: Shape::plane(Vec3::ZERO, Vec3::Y),
+            material: plastic(checker, random),
+        });
+    }
+    for _ in 0..1 + random.index(7) {
+        let radius = random.between(0.2, 1.2);
+        let sunk = if disjoint { 0.0 } else { -0.5 };
+        let height = radius + random.between(sunk, 1.5);
+        let centre =
+            Vec3::new(random.between(-3.0, 3.0), height, random.between(-2.0, 3.0));
+        let touches = |object: &Object<Absorbing>| match object.shape {
+            Shape::Sphere(other) => other.centre.distance(centre) < other.radius + radius,
+            Shape::Plane(_) => false,
+        };
+        if disjoint && objects.iter().any(touches) {
+            continue;
+        }
+        let material = if random.chance(0.3) {
+            let eta_outside = if disjoint {
+                1.0
+            } else {
+                random.pick(&[1.0, 1.0, 1.5])
+            };
+            glass(eta_outside, random)
+        } else {
+            plastic(Texture::Solid(random.colour()), random)
+        };
+        objects.push(Object {
+            name: "ball",
+            shape: Shape::sphere(centre, radius),
+            material,
+        });
+    }
+    let lights = (0..random.index(4)).map(|_| PointLight {
+        position: Vec3::new(
+            random.between(-6.0, 6.0),
+            random.between(4.0, 9.0),
+            random.between(-7.0, 2.0),
+        ),
+        intensity: random.between(0.2, 0.8),
+    });
+    let lights = lights.collect();
+    let eye = Vec3::new(
+        random.between(-3.0, 3.0),
+        random.between(0.5, 4.0),
+        random.between(-9.0, -5.0),
+    );
+    let towards = Vec3::new(random.between(-0.5, 0.5), 1.0, 0.5) - eye;
+    let camera = Camera::new(eye, towards, Vec3::Y, random.between(1.0, 3.0));
+    let scene = Scene {
+        objects,
+        lights,
+        background: random.colour(),
+    };
+    (scene, camera.expect("it looks ahead, not up"))
+}
+
+fn plastic(colour: Texture, random: &mut Random) -> Absorbing {
+    let phong = Phong {
+        colour,
+        ambient: random.between(0.02, 0.3),
+        diffuse: random.between(0.0, 0.9),
+        specular: random.between(0.0, 0.9),
+        shininess: 1 + random.index(200) as u32,
+    };
+    let reflects = random.chance(0.33);
+    let reflectivity = if reflects {
+        random.between(0.1, 0.8)
+    } else {
+        0.0
+    };
+    Absorbing {
+        material: Material {
+            phong,
+            optics: Optics::Opaque { reflectivity },
+        },
+        absorption: Vec3::ZERO,
+    }
+}
+
+fn glass(eta_outside: f32, random: &mut Random) -> Absorbing {
+    let phong = Phong {
+        colour: Texture::Solid(Vec3::ONE),
+        ambient: 0.0,
+        diffuse: 0.0,
+        specular: random.between(0.0, 0.9),
+        shininess: 1 + random.index(200) as u32,
+    };
+    let optics = Optics::Dielectric {
+        eta_inside: random.between(1.05, 2.4),
+        eta_outside,
+    };
+    Absorbing {
+        material: Material { phong, optics },
+        absorption: random.between(0.0, 2.0) * random.colour(),
+    }
+}
+
+/// Returns an extreme scene and a camera: up to five spheres that overlap, touch and contain
+/// each other, and planes; mirrors and glass; all of it small or large, near or far from the
+/// origin, with the camera and the lights outside, inside and on the surfaces.
+///
+/// # Panics
+/// Never: all shapes and the camera are valid.
+#[must_use]
+pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
+    let random = &mut Random::new(seed);
+    let scale = random.pick(&[1.0, 1.0, 1.0, 1.0, 1e-3, 1e3, 1e6]);
+    let away = random.pick(&[0.0, 0.0, 0.0, 0.0, 1.0, 1e3, 1e6]) * random.direction();
+    let at = |p: DVec3| (scale * (p + away)).as_vec3();
+
+    let (mut shapes, mut balls) = (Vec::new(), Vec::new());
+    let (mut centre, mut radius) = (DVec3::ZERO, 1.0);
+    for _ in 0..1 + random.index(5) {
+        let next = next_shape(centre, radius, random);
+        (centre, radius) = next.ball;
+        balls.push(next.ball);
+        shapes.push(match next.plane {
+            Some((point, normal)) => Shape::plane(at(point), normal.as_vec3()),
+            None => Shape::sphere(at(centre), (scale * radius) as f32),
+        });
+        // A sphere in a sphere in a sphere: f32 still resolves it beside its centre.
+        radius = if radius < 1e-3 { 1e-3 } else { radius };
+    }
+    let objects = shapes.into_iter().map(|shape| Object {
+        name: "",
+        shape,
+        material: material(random),
+    });
+    let objects = objects.collect();
+
+    let eye = position(&balls, DVec3::ZERO, random);
+    // At the first sphere, unless the eye is inside.
+    let (first, first_radius) = balls[0];
+    let forward = if random.bool() && eye.distance(first) > first_radius {
+        (first - eye).normalize()
+    } else {
+        random.direction()
+    };
+    let up = forward.any_orthonormal_vector().as_vec3();
+    let focal_length = random.between(0.3, 3.0);
+    let camera = Camera::new(at(eye), forward.as_vec3(), up, focal_length);
+    let lights = (0..random.index(3)).map(|_| PointLight {
+        position: at(position(&balls, eye, random)),
+        intensity: random.between(0.0, 2.0),
+    });
+    let scene = Scene {
+        lights: lights.collect(),
+        objects,
+        background: Vec3::from_array([(); 3].map(|()| fraction(random))),
+    };
+    (scene, camera.expect("its directions are orthonormal"))
+}
+
+/// The next shape of an extreme scene.
+struct Next {
+    /// Centre and radius of the sphere, or of the one before, where it is a plane.
+    ball: (DVec3, f64),
+    /// The plane's point and normal.
+    plane: Option<(DVec3, DVec3)>,
+}
+
+fn next_shape(centre: DVec3, radius: f64, random: &mut Random) -> Next {
+    let out = random.direction();
+    let r = match random.index(5) {
+        0..=2 => f64::from(random.between(0.3, 2.0)),
+        3 => f64::from(random.between(0.01, 0.3)),
+        _ => random.pick(&[1e-3, 1.0, 10.0]),
+    };
+    let sphere = |centre, radius| Next {
+        ball: (centre, radius),
+        plane: None,
+    };
+    let plane = |point| Next {
+        ball: (centre, radius),
+        plane: Some((point, out)),
+    };
+    match random.index(10) {
+        // Anywhere.
+        0..=2 => sphere(f64::from(random.between(0.0, 4.0)) * out, r),
+        // Its centre on the surface of the one before.
+        3 => sphere(centre + radius * out, r),
+        // Touching that one in a point, from outside.
+        4 => sphere(centre + (radius + r) * out, r),
+        // Concentric; with a factor of 1, the very same sphere.
+        5 => sphere(centre, random.pick(&[0.2, 0.9, 0.999_999, 1.0]) * radius),
+        // Touching it in a point, from inside.
+        6 => {
+            let factor = f64::from(random.between(0.1, 0.9));
+            sphere(centre + (1.0 - factor) * radius * out, factor * radius)
+        }
+        7 => plane(centre + radius * out),
+        8 => plane(centre),
+        // Very far away, and very large.
+        _ => sphere(1e6 * out, 3e5),
+    }
+}
+
+/// Where the camera or a light is.
+fn position(balls: &[(DVec3, f64)], eye: DVec3, random: &mut Random) -> DVec3 {
+    let out = random.direction();
+    match random.index(8) {
+        0..=2 => f64::from(random.between(0.0, 6.0)) * out,
+        // In a sphere, from its centre to its surface.
+        3..=5 => {
+            let (centre, radius) = random.pick(balls);
+            centre + random.pick(&[0.0, 0.5, 0.999_999, 1.0]) * radius * out
+        }
+        6 => 1e6 * out,
+        _ => eye,
+    }
+}
+
+/// A number from 0 to 1; often one of the ends.
+fn fraction(random: &mut Random) -> f32 {
+    if random.bool() {
+        random.pick(&[0.0, 0.5, 1.0])
+    } else {
+        random.f32()
+    }
+}
+
+fn material(random: &mut Random) -> Absorbing {
+    let colour = Vec3::from_array([(); 3].map(|()| fraction(random)));
+    let phong = Phong {
+        colour: if random.bool() {
+            Texture::Checker(colour, Vec3::ZERO)
+        } else {
+            Texture::Solid(colour)
+        },
+        ambient: fraction(random),
+        diffuse: fraction(random),
+        specular: fraction(random),
+        shininess: if random.bool() {
+            random.pick(&[1, 200, 1000])
+        } else {
+            1 + random.index(99) as u32
+        },
+    };
+    let eta = |random: &mut Random| {
+        if random.bool() {
+            random.pick(&[1.0, 1.5, 3.0])
+        } else {
+            random.between(1.0, 3.0)
+        }
+    };
+    let optics = match random.index(3) {
+        0 => Optics::Opaque {
+            reflectivity: fraction(random),
+        },
+        1 => Optics::Dielectric {
+            eta_inside: eta(random),
+            eta_outside: eta(random),
+        },
+        _ => {
+            let eta = eta(random);
+            Optics::Dielectric {
+                eta_inside: eta,
+                eta_outside: eta,
+            }
+        }
+    };
+    let rate = |random: &mut Random| {
+        if random.bool() {
+            random.pick(&[0.0, 1e-6, 1e6, 1e30])
+        } else {
+            random.between(0.0, 5.0)
+        }
+    };
+    Absorbing {
+        material: Material { phong, optics },
+        absorption: Vec3::from_array([(); 3].map(|()| rate(random))),
+    }
+}

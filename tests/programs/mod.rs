@@ -1,0 +1,35 @@
+//! The chapters' programs, for the tests that run them.
+
+use std::env::{self, consts::EXE_SUFFIX};
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::LazyLock;
+
+/// Returns the path of a program. Before the first, all are built, in the test's own profile.
+pub fn path(name: &str) -> PathBuf {
+    static FOLDER: LazyLock<PathBuf> = LazyLock::new(build);
+    FOLDER.join(format!("{name}{EXE_SUFFIX}"))
+}
+
+/// Builds the programs of all packages, and returns their folder.
+///
+/// Cargo tells a test where the programs of its own package are, and no others.
+fn build() -> PathBuf {
+    // The programs are in target/debug, this test in target/debug/deps.
+    let test = env::current_exe().expect("the test's own path");
+    let folder = test.ancestors().nth(2).expect("a folder of programs");
+    let target = folder.parent().expect("a target folder");
+    let profile = match folder.file_name().and_then(|name| name.to_str()) {
+        Some("debug") => "dev",
+        Some(profile) => profile,
+        None => panic!("{} is named after no profile", folder.display()),
+    };
+    let status = Command::new(env!("CARGO"))
+        .args(["build", "--quiet", "--bins", "--profile", profile])
+        .arg("--target-dir")
+        .arg(target)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .status();
+    assert!(status.expect("cargo runs").success(), "the programs build");
+    folder.to_owned()
+}

@@ -1,0 +1,35 @@
+//! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
+//! under test has written them.
+
+use ::canvas::Pixel;
+use ::ray_casting::scene::still_life_camera;
+use ::ray_casting::{SKY, STAGE};
+use harness::{HERO, Numbers, render, table, three_digits, vector};
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    let camera = still_life_camera();
+    let direction = |x, y| camera.ray(Pixel { x, y, size: HERO }.centre()).direction;
+    let pixels = [(0, 0), (799, 0), (400, 300), (0, 599), (799, 599)];
+    numbers.note(
+        "directions",
+        table(
+            pixels.map(|(x, y)| {
+                [format!("({x}, {y})"), vector(&direction(x, y).to_array())]
+            }),
+        ),
+    );
+    let canvas = render(&STAGE, "sky-and-ground", HERO);
+    numbers.note("rays", canvas.rays);
+    let last_sky = canvas
+        .radiance
+        .iter()
+        .rposition(|&radiance| radiance == SKY);
+    numbers.note("horizon", last_sky.expect("some sky") / HERO.x as usize);
+    let directions = Pixel::all(HERO).map(|pixel| camera.ray(pixel.centre()).direction);
+    let errors = directions.map(|direction| (direction.as_dvec3().length() - 1.0).abs());
+    numbers.note("length-error", three_digits(errors.fold(0.0, f64::max)));
+    numbers.note("epsilon", three_digits(f64::from(f32::EPSILON)));
+    numbers.check(STAGE.name);
+}

@@ -1,0 +1,95 @@
+//! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
+//! under test has written them.
+
+use ::plane_hit::{Object, Shape, Texture};
+use ::ray_casting::{Ray, SKY};
+use ::reflection::{
+    Mirror, PathBudget, STAGE, bounce_inside, reflect, reflect_unnormalized, trace,
+};
+use ::shading::Phong;
+use ::shadows::Scene;
+use ::sphere_hit::Sphere;
+use glam::Vec3;
+use harness::{HERO, Numbers, chapter, render, table, three_digits};
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    numbers.note("growth", growth());
+    numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
+    numbers.note("rays", render(&STAGE, "bouncing", HERO).rays);
+    let before = &::shading::STAGE;
+    let anchor = format!("rays-of-{}", chapter(before).replace(' ', "-"));
+    numbers.note(&anchor, render(before, "combined", HERO).rays);
+    numbers.check(STAGE.name);
+}
+
+/// Returns the error in a direction's length, bounce by bounce, inside a mirror sphere that the
+/// ray hits nearly head-on.
+fn growth() -> String {
+    let sphere = Sphere {
+        centre: Vec3::ZERO,
+        radius: 1.0,
+    };
+    let start = Vec3::new(0.3, 0.5, 0.8).normalize();
+    let aside = 0.1 * start.any_orthonormal_vector();
+    let start = Ray {
+        origin: start,
+        direction: (aside - start).normalize(),
+    };
+    let error = |ray: &Ray| (ray.direction.as_dvec3().length() - 1.0).abs();
+    let (mut textbook, mut stable) = (start, start);
+    table((1..=6).map(|bounces| {
+        let before = error(&textbook);
+        textbook = bounce_inside(&sphere, &textbook, reflect_unnormalized);
+        stable = bounce_inside(&sphere, &stable, reflect);
+        let grown = error(&textbook) / before;
+        [
+            bounces.to_string(),
+            three_digits(error(&textbook)),
+            format!("{grown:.1}"),
+            three_digits(error(&stable)),
+        ]
+    }))
+}
+
+/// Returns the radiance between two facing mirrors with ambient light, by the closed form and
+/// by `trace`.
+fn corridor(depth: u32) -> [String; 3] {
+    let material = Mirror {
+        phong: Phong {
+            colour: Texture::Solid(Vec3::ONE),
+            ambient: 0.1,
+            diffuse: 0.0,
+            specular: 0.0,
+            shininess: 1,
+        },
+        reflectivity: 0.9,
+    };
+    let wall = |z: f32| Object {
+        name: "wall",
+        shape: Shape::plane(z * Vec3::Z, -z * Vec3::Z),
+        material,
+    };
+    let scene = Scene {
+        objects: vec![wall(-1.0), wall(1.0)],
+        lights: vec![],
+        background: SKY,
+    };
+    let ray = Ray {
+        origin: Vec3::ZERO,
+        direction: Vec3::Z,
+    };
+    let budget = PathBudget {
+        min_throughput: 0.0,
+        ..PathBudget::new(depth)
+    };
+    let traced = trace(&scene, &ray, budget).x;
+    let power = (0..=depth).fold(1.0, |power: f64, _| 0.9 * power);
+    let closed = 0.1 * (1.0 - power) / (1.0 - 0.9);
+    [
+        depth.to_string(),
+        format!("{closed:.6}"),
+        format!("{traced:.6}"),
+    ]
+}

@@ -1,0 +1,40 @@
+//! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
+//! under test has written them.
+
+use ::shading::{STAGE, powi};
+use harness::{HERO, Numbers, ray_counts, render, table, three_digits};
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    let powers = [(0.9, 10), (0.99, 50), (0.99, 200), (0.5, 200), (-0.9, 10)];
+    numbers.note(
+        "powers",
+        table(powers.map(|(x, n): (f32, u32)| {
+            let shown = three_digits(f64::from(powi(x, n)));
+            [x.to_string().replace('-', "−"), n.to_string(), shown]
+        })),
+    );
+    let hero = render(&STAGE, "combined", HERO);
+    let pixels = [
+        (400, 10, "sky"),
+        (390, 224, "the grey ball's highlight"),
+        (130, 290, "the red ball"),
+        (470, 420, "the glass ball's dark side"),
+        (400, 590, "the floor"),
+    ];
+    numbers.note(
+        "pixels",
+        table(pixels.map(|(x, y, what)| {
+            let [red, green, blue] = hero.levels[(y * HERO.x + x) as usize];
+            [
+                format!("({x}, {y})"),
+                what.to_string(),
+                format!("{red}, {green}, {blue}"),
+            ]
+        })),
+    );
+    let views = STAGE.views.iter().map(|view| view.name);
+    numbers.note("rays", ray_counts(&STAGE, views));
+    numbers.check(STAGE.name);
+}

@@ -1,0 +1,24 @@
+//! The still life against POV-Ray's.
+
+use ::ray_casting::scene::still_life_camera;
+use ::reflection::PathBudget;
+use ::refraction::scene::{AIR, GLASS, still_life_with_glass};
+use ::shadow_acne::{STAGE, from_surface, trace, untracked};
+use canvas::Picture;
+use harness::povray::assert_picture;
+
+#[test]
+fn the_still_life_without_an_offset_is_the_one_that_povray_renders() {
+    assert_picture(STAGE.name, |depth| {
+        let camera = still_life_camera();
+        let scene = still_life_with_glass(GLASS, AIR);
+        let budget = PathBudget {
+            min_throughput: 0.0,
+            ..PathBudget::new(depth)
+        };
+        Picture::new(move |pixel| {
+            let ray = untracked(camera.ray(pixel.centre()));
+            trace(&scene, &ray, budget, from_surface)
+        })
+    });
+}

@@ -1,0 +1,94 @@
+//! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
+//! under test has written them.
+
+use ::canvas::Pixel;
+use ::plane_hit::scene::STILL_LIFE_COLOURS;
+use ::plane_hit::{Object, Shape};
+use ::ray_casting::SKY;
+use ::ray_casting::scene::still_life_camera;
+use ::shadows::scene::lit_still_life;
+use ::shadows::{
+    Interaction, PointLight, STAGE, Scene, is_visible, is_visible_buggy, trace,
+};
+use glam::Vec3;
+use harness::{HERO, Numbers, SMALL, percent, ray_counts, render, table};
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    numbers.note("differing-still-life", differing_still_life());
+    let [buggy, cured] =
+        ["beyond-buggy", "beyond"].map(|view| render(&STAGE, view, SMALL).radiance);
+    let differing = buggy.iter().zip(&cured).filter(|(a, b)| a != b).count();
+    numbers.note(
+        "differing-beyond",
+        format!("{differing} of {}", cured.len()),
+    );
+    numbers.note("exact-radius", format!("{:.4}", 1.25_f64.sqrt()));
+    let scales = [1e-3, 1e-2, 0.1, 1.0, 1e3];
+    numbers.note(
+        "scales",
+        table(scales.map(|scale: f32| {
+            let radius = f64::from(shadow_radius(scale)) / f64::from(scale);
+            [scale.to_string(), format!("{radius:.4}")]
+        })),
+    );
+    numbers.note("rays", ray_counts(&STAGE, ["none", "hard"]));
+    let hard = render(&STAGE, "hard", HERO).radiance;
+    let dark = hard
+        .iter()
+        .filter(|&&radiance| radiance == Vec3::ZERO)
+        .count();
+    numbers.note("dark", percent(dark, hard.len()));
+    numbers.check(STAGE.name);
+}
+
+/// Returns the number of pixels of the still life that the buggy shadow changes.
+fn differing_still_life() -> String {
+    let camera = still_life_camera();
+    let scene = lit_still_life(STILL_LIFE_COLOURS);
+    let differing = Pixel::all(HERO).filter(|pixel| {
+        let ray = camera.ray(pixel.centre());
+        trace(&scene, &ray, is_visible) != trace(&scene, &ray, is_visible_buggy)
+    });
+    format!("{} of {}", differing.count(), HERO.x * HERO.y)
+}
+
+/// Returns the radius of the shadow of a ball of radius `scale` on a floor, by a lamp 10 of
+/// its radii above.
+fn shadow_radius(scale: f32) -> f32 {
+    let object = |shape| Object {
+        name: "",
+        shape,
+        material: (),
+    };
+    let ball = Shape::sphere(scale * Vec3::Y, scale);
+    let floor = Shape::plane(Vec3::ZERO, Vec3::Y);
+    let scene = Scene {
+        objects: vec![object(ball), object(floor)],
+        lights: vec![],
+        background: SKY,
+    };
+    let light = PointLight {
+        position: 10.0 * scale * Vec3::Y,
+        intensity: 1.0,
+    };
+    let (mut dark, mut lit) = (0.0, 2.0 * scale);
+    for _ in 0..30 {
+        let middle = (dark + lit) / 2.0;
+        let at = Interaction {
+            index: 1,
+            t: 1.0,
+            point: middle * Vec3::X,
+            incident: Vec3::NEG_Y,
+            outward: Vec3::Y,
+            normal: Vec3::Y,
+        };
+        if is_visible(&scene, &at, &light) {
+            lit = middle;
+        } else {
+            dark = middle;
+        }
+    }
+    lit
+}

@@ -1,0 +1,23 @@
+//! The chapters, in the order of the book.
+
+use canvas::Stage;
+
+/// Every chapter's stage. The book goes by this list, and so do the tests of the whole.
+pub const STAGES: [&Stage; 16] = [
+    &canvas::STAGE,
+    &ray_casting::STAGE,
+    &sphere_hit::STAGE,
+    &plane_hit::STAGE,
+    &shadows::STAGE,
+    &shading::STAGE,
+    &reflection::STAGE,
+    &refraction::STAGE,
+    &fresnel::STAGE,
+    &anti_aliasing::STAGE,
+    &shadow_acne::STAGE,
+    &transparency::STAGE,
+    &packets::STAGE,
+    &interactive::STAGE,
+    &speed_and_accuracy::STAGE,
+    &plan::STAGE,
+];
