@@ -1,4 +1,4 @@
-//! `cargo run --bin 06-reflection`
+//! The program of the chapter: its window and its command line.
 
 fn main() -> std::process::ExitCode {
     preview::run(&reflection::STAGE)

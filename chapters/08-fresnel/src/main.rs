@@ -1,4 +1,4 @@
-//! `cargo run --bin 08-fresnel`
+//! The program of the chapter: its window and its command line.
 
 fn main() -> std::process::ExitCode {
     preview::run(&fresnel::STAGE)

@@ -1,4 +1,4 @@
-//! `cargo run --bin 09-anti-aliasing`
+//! The program of the chapter: its window and its command line.
 
 fn main() -> std::process::ExitCode {
     preview::run(&anti_aliasing::STAGE)

@@ -1,4 +1,4 @@
-//! `cargo run --release --bin 12-packets`
+//! The program of the chapter: its window and its command line.
 
 fn main() -> std::process::ExitCode {
     preview::run(&packets::STAGE)

@@ -1,4 +1,4 @@
-//! `cargo run --release --bin 13-interactive`
+//! The program of the chapter: its window and its command line.
 
 mod command_line;
 mod shot;

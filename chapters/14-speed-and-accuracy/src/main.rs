@@ -1,4 +1,4 @@
-//! `cargo run --bin 14-speed-and-accuracy`
+//! The program of the chapter: its window and its command line.
 
 fn main() -> std::process::ExitCode {
     preview::run(&speed_and_accuracy::STAGE)
