@@ -125,8 +125,8 @@ mod the_source {
                     problems.push(format!("{page}: there is no study {name}"));
                 }
             }
-            for asked in commands(&text, "measured") {
-                if let Err(problem) = measured(&asked) {
+            for reference in commands(&text, "measured") {
+                if let Err(problem) = measured(&reference) {
                     problems.push(format!("{page}: {problem}"));
                 }
             }
@@ -335,10 +335,10 @@ fn included(command: &str) -> Result<Vec<usize>, String> {
         None => 0..lines.len(),
         Some(anchor) => {
             let find = |keyword: &str| {
-                let places = (0..lines.len())
+                let openings = (0..lines.len())
                     .filter(|&line| anchor_in(lines[line], keyword) == Some(anchor));
-                match places.collect::<Vec<_>>()[..] {
-                    [place] => Ok(place),
+                match openings.collect::<Vec<_>>()[..] {
+                    [opening] => Ok(opening),
                     [] => Err(format!("{file} has no {keyword} {anchor}")),
                     _ => Err(format!("{file} has more than one {keyword} {anchor}")),
                 }

@@ -36,12 +36,12 @@ const ESCAPE: u32 = 0xff1b;
 const UP: u32 = 0xff52;
 const DOWN: u32 = 0xff54;
 
-/// Calls `look` until it returns something; panics after 20 seconds.
+/// Calls `find` until it returns something; panics after 20 seconds.
 #[track_caller]
-fn wait_for<T>(what: impl Debug, mut look: impl FnMut() -> Option<T>) -> T {
+fn wait_for<T>(what: impl Debug, mut find: impl FnMut() -> Option<T>) -> T {
     let deadline = Instant::now() + Duration::from_secs(20);
     while Instant::now() < deadline {
-        if let Some(found) = look() {
+        if let Some(found) = find() {
             return found;
         }
         sleep(Duration::from_millis(10));
@@ -206,7 +206,7 @@ impl<'a> Shown<'a> {
     #[track_caller]
     fn title_with(&self, words: &[&str]) -> String {
         let mut title = None;
-        let look = || {
+        let find = || {
             title = self.screen.title(self.window);
             let title = title.clone()?;
             words
@@ -214,7 +214,7 @@ impl<'a> Shown<'a> {
                 .all(|word| title.contains(word))
                 .then_some(title)
         };
-        wait_for(words, look)
+        wait_for(words, find)
     }
 
     /// Holds a key until the title has all of `words`, and returns it.
@@ -304,9 +304,9 @@ impl<'a> Shown<'a> {
     }
 
     fn resize(&self, width: u32, height: u32) {
-        let place = ConfigureWindowAux::new().x(0).y(0);
+        let position = ConfigureWindowAux::new().x(0).y(0);
         let cookie = (self.screen.x)
-            .configure_window(self.window, &place.width(width).height(height))
+            .configure_window(self.window, &position.width(width).height(height))
             .expect("sent");
         cookie.check().expect("a window that can be resized");
     }

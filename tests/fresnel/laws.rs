@@ -33,7 +33,7 @@ fn is_close(reflectance: f32, exact: f64) -> bool {
 /// ((n − 1)/(n + 1))²: 0.04 for glass, 0.0200593122 for water, 0.172394925 for diamond; on
 /// entering as on leaving.
 #[test]
-fn straight_on_glass_reflects_a_twenty_fifth() {
+fn at_normal_incidence_glass_reflects_a_twenty_fifth() {
     for (index, exact) in [(1.5, 0.04), (1.33, 0.020_059_312_2), (2.42, 0.172_394_925)] {
         assert!(is_close(fresnel(1.0, 1.0, index), exact));
         assert!(is_close(fresnel(1.0, index, 1.0), exact));

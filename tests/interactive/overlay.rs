@@ -37,9 +37,9 @@ fn drawn(explained: &Explained, camera: &Camera, size: UVec2) -> Vec<[u8; 3]> {
 }
 
 /// Where something is drawn.
-fn places(levels: &[[u8; 3]], size: UVec2) -> Vec<UVec2> {
-    let places = Pixel::all(size).zip(levels);
-    places
+fn positions(levels: &[[u8; 3]], size: UVec2) -> Vec<UVec2> {
+    let positions = Pixel::all(size).zip(levels);
+    positions
         .filter(|&(_, &level)| level != GREY)
         .map(|(pixel, _)| UVec2::new(pixel.x, pixel.y))
         .collect()
@@ -77,29 +77,29 @@ fn above_a_floor(height: f32, reflectivity: f32) -> (Scene<Material>, Camera) {
     (scene, camera)
 }
 
-/// The eye's own ray is a point to the eye, and a line to whoever steps aside.
+/// The eye's own ray is a point to the eye, and a line from anywhere else.
 #[test]
 fn from_elsewhere_the_eyes_ray_is_a_line() {
     let size = UVec2::new(101, 101);
     let (scene, camera) = above_a_floor(1.0, 0.0);
     let explained = explain(&scene, &camera, Vec2::new(0.0, 0.5), budget());
-    let ring = places(&drawn(&explained, &camera, size), size);
+    let ring = positions(&drawn(&explained, &camera, size), size);
     // Half of the picture's half up, in the middle, and no larger than the ring.
-    assert!(ring.iter().all(|place| place.x.abs_diff(50) <= 12));
-    assert!(ring.iter().all(|place| place.y.abs_diff(25) <= 12));
+    assert!(ring.iter().all(|position| position.x.abs_diff(50) <= 12));
+    assert!(ring.iter().all(|position| position.y.abs_diff(25) <= 12));
     for aside in [Vec3::NEG_X, Vec3::X] {
         let beside = Camera::new(aside, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
-        let line = places(&drawn(&explained, &beside, size), size);
+        let line = positions(&drawn(&explained, &beside, size), size);
         // From the side that the eye is on, half down where it leaves the picture, to the same sky.
         let side = if aside == Vec3::X { 0 } else { 100 };
-        assert!(line.iter().any(|place| place.x == side), "{line:?}");
+        assert!(line.iter().any(|position| position.x == side), "{line:?}");
         assert!(line.len() > ring.len() + 50, "{}", line.len());
     }
 }
 
-/// By symmetry: a floor mirrors the pixel at a height over the horizon to the one as far under it.
+/// By symmetry: a floor reflects the pixel at a height over the horizon to the one as far under it.
 #[test]
-fn a_mirrored_ray_ends_in_the_pixel_of_the_sky_that_it_shows() {
+fn a_reflected_ray_ends_in_the_pixel_of_the_sky_that_it_shows() {
     let size = UVec2::new(200, 160);
     let (x, y) = (150, 130);
     let top = size.y - 1 - y;
@@ -108,10 +108,10 @@ fn a_mirrored_ray_ends_in_the_pixel_of_the_sky_that_it_shows() {
         let centre = Pixel { x, y, size }.centre();
         let explained = explain(&scene, &camera, centre, budget());
         let levels = drawn(&explained, &camera, size);
-        let line = places(&levels, size);
-        let line: Vec<_> = line.iter().filter(|place| place.y + 12 < y).collect();
-        assert_eq!(line.iter().map(|place| place.y).min(), Some(top));
-        assert!(line.iter().all(|place| place.x.abs_diff(x) <= 2));
+        let line = positions(&levels, size);
+        let line: Vec<_> = line.iter().filter(|position| position.y + 12 < y).collect();
+        assert_eq!(line.iter().map(|position| position.y).min(), Some(top));
+        assert!(line.iter().all(|position| position.x.abs_diff(x) <= 2));
         for y in top..y - 12 {
             let [r, g, b] = levels[(y * size.x + x) as usize];
             assert!(r > 200 && g < 150 && b > 200, "row {y}: {r} {g} {b}");
@@ -119,7 +119,7 @@ fn a_mirrored_ray_ends_in_the_pixel_of_the_sky_that_it_shows() {
     }
 }
 
-/// From (0, −1, 2) to a light behind the eye the way passes above the eye, through it, or below it: the line
+/// From (0, −1, 2) to a light behind the eye the line passes above the eye, through it, or below it: the line
 /// leaves the picture at the top, stays where it starts, or leaves at the bottom. Who looks back sees it
 /// come from there, if the light itself is in view; through the eye, that is all there is to see.
 #[test]
@@ -143,15 +143,15 @@ fn what_is_behind_the_eye_is_not_drawn() {
         let back = back.expect("a camera");
         for (camera, rows) in [(camera, Some(rows)), (back, rows_back)] {
             let levels = drawn(&explained, &camera, size);
-            let line = places(&levels, size);
-            assert!(line.iter().all(|place| place.x.abs_diff(50) <= 12));
+            let line = positions(&levels, size);
+            assert!(line.iter().all(|position| position.x.abs_diff(50) <= 12));
             let Some((first, last)) = rows else {
                 assert_eq!(line, []);
                 continue;
             };
             let within = |y| (first..=last).contains(&y);
             assert!(
-                line.iter().all(|place| within(place.y)),
+                line.iter().all(|position| within(position.y)),
                 "{light}: {line:?}"
             );
             let middle = if last == 100 {
@@ -165,7 +165,7 @@ fn what_is_behind_the_eye_is_not_drawn() {
     }
 }
 
-/// Two lights in view, one behind a ball; all places by hand, in units of half the picture's height.
+/// Two lights in view, one behind a ball; all positions by hand, in units of half the picture's height.
 #[test]
 fn a_shadow_ray_ends_at_the_light_or_at_what_is_in_the_way() {
     let size = UVec2::new(300, 300);
@@ -175,7 +175,7 @@ fn a_shadow_ray_ends_at_the_light_or_at_what_is_in_the_way() {
         intensity: 1.0,
     };
     scene.lights = vec![light(-1.0), light(1.0)];
-    // In the middle of the way from (0, −1, 2) to the second light.
+    // In the middle between (0, −1, 2) to the second light.
     let ball = Shape::sphere(Vec3::new(0.5, 0.0, 2.0), 0.2);
     scene.objects.push(Object {
         name: "ball",
@@ -186,18 +186,18 @@ fn a_shadow_ray_ends_at_the_light_or_at_what_is_in_the_way() {
     let levels = drawn(&explained, &camera, size);
     // All is in the plane z = 2.
     let seen = |x: f32, y: f32| at(&levels, size, 149.5 + 75.0 * x, 149.5 - 75.0 * y);
-    let on_the_way = |part: f32| [-part, part].map(|x| seen(x, 2.0 * part - 1.0));
+    let between = |part: f32| [-part, part].map(|x| seen(x, 2.0 * part - 1.0));
     for part in [0.2, 0.3, 0.38] {
-        let [[r, g, b], [r2, g2, b2]] = on_the_way(part);
+        let [[r, g, b], [r2, g2, b2]] = between(part);
         assert!(r > 150 && g > 150 && b < 110, "yellow: {r} {g} {b}");
         assert!(r2 > 130 && g2 < 110 && b2 < 110, "red: {r2} {g2} {b2}");
     }
     for part in [0.45, 0.6, 0.97] {
-        let [[r, g, b], beyond] = on_the_way(part);
+        let [[r, g, b], beyond] = between(part);
         assert!(r > 150 && g > 150 && b < 110, "yellow: {r} {g} {b}");
         assert_eq!(beyond, GREY);
     }
-    assert_eq!(on_the_way(1.05), [GREY; 2]);
+    assert_eq!(between(1.05), [GREY; 2]);
 }
 
 /// A number of any kind.
@@ -253,7 +253,7 @@ proptest! {
         let Pixel { x, y, size } = pixel;
         let scene = Scene { objects: Vec::new(), ..still_life() };
         let explained = explain(&scene, &camera, pixel.centre(), budget());
-        let drawn = places(&drawn(&explained, &camera, size), size);
+        let drawn = positions(&drawn(&explained, &camera, size), size);
         let is_whole = |at: u32, size| at >= 12 && at + 12 < size;
         if is_whole(x, size.x) && is_whole(y, size.y) {
             let [least, most] = [UVec2::min, UVec2::max]

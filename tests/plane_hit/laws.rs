@@ -157,10 +157,10 @@ proptest! {
     /// Tilted planes up to 10⁶ away from the origin of the world, down to a grazing 10⁻⁴.
     #[test]
     fn a_plane_is_as_exact_as_the_angle_allows(
-        normal in unit_vector(), aside in unit_vector(), place in unit_vector(),
+        normal in unit_vector(), aside in unit_vector(), position in unit_vector(),
         far in magnitude(0.0..6.0), height in 1.0..10.0_f64, d_dot_n in magnitude(-4.0..0.0),
     ) {
-        let point = (far * place).as_vec3();
+        let point = (far * position).as_vec3();
         let above = above(point, normal.as_vec3(), height, aside, d_dot_n);
         let (plane, ray) = above.expect("a plane");
         let t = plane.distance(&ray, T_MAX).expect("a hit");

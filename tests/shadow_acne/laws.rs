@@ -30,7 +30,7 @@ const SCALED: usize = 2;
 const FROM_SURFACE: usize = 3;
 
 /// How large the scene is, and how many of its own sizes away from the origin of the world.
-const PLACES: [(f64, f64); 8] = [
+const VARIANTS: [(f64, f64); 8] = [
     (1e-3, 0.0),
     (1.0, 0.0),
     (1e3, 0.0),
@@ -46,7 +46,7 @@ struct Table {
     ground: Ground,
     secondary: Secondary,
     is_f64: bool,
-    /// A configuration for each of `PLACES`, and in it a tally for each of `METHODS`.
+    /// A configuration for each of `VARIANTS`, and in it a tally for each of `METHODS`.
     tallies: [[Tally; 4]; 8],
 }
 
@@ -55,7 +55,7 @@ static TABLES: LazyLock<Vec<Table>> = LazyLock::new(|| {
     for is_f64 in [false, true] {
         for secondary in [Secondary::Shadow, Secondary::Reflection] {
             for ground in [Ground::Plane, Ground::Sphere] {
-                let tallies = PLACES.map(|(scale, distance)| {
+                let tallies = VARIANTS.map(|(scale, distance)| {
                     let configuration = Configuration {
                         ground,
                         secondary,
@@ -64,7 +64,7 @@ static TABLES: LazyLock<Vec<Table>> = LazyLock::new(|| {
                         distance,
                     };
                     let trial = configuration.trial();
-                    METHODS.map(|(_, method)| trial.tally(Method::Taught(method)))
+                    METHODS.map(|(_, method)| trial.tally(Method::Spawn(method)))
                 });
                 tables.push(Table {
                     ground,
@@ -81,8 +81,8 @@ static TABLES: LazyLock<Vec<Table>> = LazyLock::new(|| {
 /// Every configuration's name, its distance, and its tally by one method.
 fn each(method: usize) -> impl Iterator<Item = (String, f64, Tally)> {
     TABLES.iter().flat_map(move |table| {
-        let places = PLACES.into_iter().zip(table.tallies);
-        places.map(move |((scale, distance), tallies)| {
+        let variants = VARIANTS.into_iter().zip(table.tallies);
+        variants.map(move |((scale, distance), tallies)| {
             let name = format!("{} at {scale}, {distance}", table.anchor());
             (name, distance, tallies[method])
         })
@@ -119,7 +119,7 @@ impl Table {
     }
 }
 
-/// False hits, leaks and self-hits as the book has them. A self-hit's share is that of all pixels that
+/// False hits, leaks and self-hits as the book has them. A self-hit's fraction is that of all pixels that
 /// have a secondary ray.
 #[test]
 fn the_table_is_the_one_in_the_book() {
@@ -130,17 +130,17 @@ fn the_table_is_the_one_in_the_book() {
     let rows = METHODS.iter().enumerate().map(|(method, (name, _))| {
         let tallies = || each(method).map(|(.., tally)| tally);
         let with_any = tallies().filter(|tally| tally.self_hits > 0).count();
-        let shares = tallies().map(|tally| {
+        let fractions = tallies().map(|tally| {
             100.0 * tally.self_hits as f64 / (tally.clear + tally.occluded) as f64
         });
-        let most = shares.fold(0.0, f64::max);
+        let most = fractions.fold(0.0, f64::max);
         format!("| {name} | {with_any} of 64 | {most:.2} |")
     });
     numbers.note("self-hits", rows.collect::<Vec<_>>().join("\n"));
     numbers.check(&format!("{}-table", STAGE.name));
 }
 
-/// Ours and the exact camera ray meet the same thing in every pixel, and there is enough to count: one
+/// Ours and the exact camera ray hit the same object in every pixel, and there is enough to count: one
 /// of 1,000 pixels is the 0.1 % of the bar for leaks.
 #[test]
 fn the_table_leaves_out_no_pixel() {
@@ -155,7 +155,7 @@ fn the_table_leaves_out_no_pixel() {
 
 /// At all 64 configurations: it is so by construction, for a ray out of a plane or a ball.
 #[test]
-fn a_ray_that_knows_its_surface_never_meets_it_from_outside() {
+fn a_ray_that_knows_its_surface_never_hits_it_from_outside() {
     for (name, _, tally) in each(FROM_SURFACE) {
         assert_eq!(tally.self_hits, 0, "{name}: {tally:?}");
     }
@@ -169,7 +169,7 @@ fn at_most(count: usize, percent: f64, pixels: usize) -> bool {
 /// Up to a distance of 10³ scene sizes: false hits at most 0.01 % of the clear pixels, leaks at most
 /// 0.1 % of the occluded ones.
 #[test]
-fn a_ray_that_knows_its_surface_meets_what_it_should() {
+fn a_ray_that_knows_its_surface_hits_what_it_should() {
     for (name, distance, tally) in each(FROM_SURFACE) {
         if distance <= 1e3 {
             let Tally {
@@ -485,15 +485,18 @@ fn a_mirror_in_a_room_shows_the_room() {
         let [cured, acne] =
             [from_surface, without_offset].map(|method: SpawnRay| seen(method));
         let of = |light: f32| move |seen: &&Vec3| **seen == Vec3::splat(light);
-        let mirrored = cured.iter().filter(of(0.5)).count();
-        assert_eq!(mirrored + cured.iter().filter(of(1.0)).count(), cured.len());
-        assert!(mirrored > 150, "{mirrored}");
+        let reflected = cured.iter().filter(of(0.5)).count();
+        assert_eq!(
+            reflected + cured.iter().filter(of(1.0)).count(),
+            cured.len()
+        );
+        assert!(reflected > 150, "{reflected}");
         let wrong = acne
             .iter()
             .zip(&cured)
             .filter(|(acne, cured)| acne != cured)
             .count();
-        assert!(wrong > mirrored / 10, "{wrong} of {mirrored} at {scale}");
+        assert!(wrong > reflected / 10, "{wrong} of {reflected} at {scale}");
     }
 }
 

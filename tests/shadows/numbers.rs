@@ -54,8 +54,8 @@ fn differing_still_life() -> String {
     format!("{} of {}", differing.count(), HERO.x * HERO.y)
 }
 
-/// Returns the radius of the shadow of a ball of radius `scale` on a floor, by a lamp 10 of
-/// its radii above.
+/// Returns the radius of the shadow of a ball of radius `scale` on a floor, by a light 10
+/// of its radii above.
 fn shadow_radius(scale: f32) -> f32 {
     let object = |shape| Object {
         name: "",

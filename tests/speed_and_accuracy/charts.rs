@@ -77,7 +77,7 @@ proptest! {
     }
 }
 
-/// Three at one place: the one in the middle stays.
+/// Three at one position: the one in the middle stays.
 #[test]
 fn names_are_moved_as_little_as_can_be() {
     let mut heights = [50.0, 100.0, 100.0, 100.0, 200.0];
@@ -105,13 +105,13 @@ fn a_method_looks_the_same_in_all_charts_and_like_none_beside_it() {
 #[test]
 fn zero_and_infinity_are_on_the_edges() {
     let axis = Axis::new(&[0.0, 2e-3, 5.0, f64::INFINITY], [100.0, 300.0]);
-    assert_eq!(axis.place(0.0), 100.0);
-    assert_eq!(axis.place(f64::INFINITY), 300.0);
+    assert_eq!(axis.position(0.0), 100.0);
+    assert_eq!(axis.position(f64::INFINITY), 300.0);
     let ticks = axis.ticks();
     let labels: Vec<&str> = ticks.iter().map(|(label, _)| label.as_str()).collect();
     assert_eq!(labels, ["0", "∞", "0.001", "0.01", "0.1", "1", "10"]);
-    for (label, place) in &ticks[2..] {
-        assert!((110.0..290.0).contains(place), "{label} at {place}");
+    for (label, position) in &ticks[2..] {
+        assert!((110.0..290.0).contains(position), "{label} at {position}");
     }
     // Each power of ten as far from the last as that from the one before.
     let step = ticks[3].1 - ticks[2].1;

@@ -86,8 +86,8 @@ fn povrays_time_is_that_of_its_tracing() {
 fn who_is_missing_is_said_in_a_line_each() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = folder.path().to_str().expect("UTF-8");
-    let look = |source: &str, path: &str| Peers::look(source, OsStr::new(path));
-    let peers = look("none", "").expect("none is right");
+    let find = |source: &str, path: &str| Peers::find(source, OsStr::new(path));
+    let peers = find("none", "").expect("none is right");
     assert!(peers.povray.is_none() && peers.tinyraytracer.is_none());
     let [pov_ray, tinyraytracer] = &peers.missing[..] else {
         panic!("{peers:?}");
@@ -96,12 +96,12 @@ fn who_is_missing_is_said_in_a_line_each() {
     assert!(tinyraytracer.starts_with(TINYRAYTRACER), "{tinyraytracer}");
 
     for wrong in [name, "", "/nowhere"] {
-        let line = look(wrong, "").expect_err("no source").to_string();
+        let line = find(wrong, "").expect_err("no source").to_string();
         assert!(line.contains("tinyraytracer.cpp"), "{line}");
     }
 
     fs::write(folder.path().join("tinyraytracer.cpp"), "").expect("a file");
-    let lines = look(name, "").expect("a source").missing;
+    let lines = find(name, "").expect("a source").missing;
     assert_eq!(lines.len(), 2, "{lines:?}");
     assert!(lines[1].contains("there is no g++"), "{lines:?}");
 
@@ -109,7 +109,7 @@ fn who_is_missing_is_said_in_a_line_each() {
     for program in ["povray", "g++"] {
         fs::write(folder.path().join(program), "").expect("a file");
     }
-    let peers = look(name, &format!("/nowhere:{name}")).expect("all");
+    let peers = find(name, &format!("/nowhere:{name}")).expect("all");
     assert_eq!(peers.missing, [""; 0]);
     assert!(peers.povray.is_some() && peers.tinyraytracer.is_some());
 }

@@ -2,8 +2,8 @@
 
 use crate::check::check;
 use measure::Random;
+use measure::bvh::{Bvh, anywhere, cloud};
 use measure::subjects::PATTERNS;
-use measure::tree::{Tree, anywhere, cloud};
 use plane_hit::nearest;
 use ray_casting::Ray;
 use speed_and_accuracy::STUDIES;
@@ -33,12 +33,12 @@ fn the_tree_finds_what_trying_all_spheres_finds() {
     let mut hits = 0;
     for count in [1, 2, 3, 10, 100, 1000] {
         let objects = cloud(count);
-        let tree = Tree::new(&objects);
+        let bvh = Bvh::new(&objects);
         for _ in 0..1000 {
             let origin = 2.0 * anywhere(&mut random);
             let direction = (anywhere(&mut random) - origin).normalize();
             let ray = Ray { origin, direction };
-            let found = tree.nearest(&ray);
+            let found = bvh.nearest(&ray);
             assert_eq!(found, nearest(&objects, &ray), "{count} spheres, {ray:?}");
             hits += u32::from(found.is_some());
         }

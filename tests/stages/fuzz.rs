@@ -74,11 +74,12 @@ fn transparency(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) ->
     })
 }
 
-/// Those whose rays never branch.
+/// The chapters whose rays never branch.
 const UNBRANCHED: [(&str, Chapter); 2] =
     [("reflection", reflection), ("refraction", refraction)];
 
-/// Those whose rays branch at an interface: the two that are right at any size, and others, which take turns.
+/// The chapters whose rays branch at an interface: the two that are right at any size, and others, which take
+/// turns.
 const BRANCHED: [(&str, Chapter); 6] = [
     ("from surface", |scene, camera, budget| {
         spawned_by(from_surface, scene, camera, budget)
@@ -129,7 +130,8 @@ fn chapters() -> impl Iterator<Item = (&'static str, Chapter)> {
     UNBRANCHED.into_iter().chain(BRANCHED)
 }
 
-/// The rays of a single pixel between two mirrors that face each other, without a lamp.
+/// Returns the number of rays of a single pixel between two mirrors that face each other,
+/// without a light.
 fn rays_between_mirrors(chapter: Chapter, reflectivity: f32, depth: u32) -> u64 {
     let phong = Phong {
         colour: Texture::Solid(Vec3::ONE),
@@ -217,7 +219,8 @@ fn a_light_in_the_very_point_that_is_seen_gives_no_light() {
     }
 }
 
-/// Settings from one end of a view's knob to the other, about `count` of those that the knob can reach.
+/// Returns settings from one end of a view's knob to the other, about `count` of those to which the
+/// knob can be stepped.
 fn settings(view: &View, count: usize) -> Vec<f32> {
     let Some(knob) = &view.knob else {
         return vec![view.default_setting()];

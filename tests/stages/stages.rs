@@ -13,7 +13,7 @@ fn views() -> impl Iterator<Item = (&'static Stage, &'static View)> {
         .flat_map(|stage| stage.views.iter().map(move |view| (stage, view)))
 }
 
-/// Every setting that anyone could think of first: the default, both ends, and those that have a picture.
+/// Returns the default setting, both ends, and the settings that have a picture.
 fn settings(view: &View) -> Vec<f32> {
     let mut settings = vec![view.default_setting()];
     if let Some(knob) = &view.knob {

@@ -363,10 +363,10 @@ fn refined_its_render_threads_sleep() {
     sleep(Duration::from_secs(2));
     assert_eq!(others.iter().map(spent).collect::<Vec<_>>(), before);
     let main = spent(&process.to_string()) - main;
-    let share = main as f64 / start.elapsed().as_secs_f64();
+    let busy = main as f64 / start.elapsed().as_secs_f64();
     writeln!(
         std::io::stderr(),
-        "refined at 400x300: {share:.1} % of a core"
+        "refined at 400x300: {busy:.1} % of a core"
     )
     .expect("stderr");
     assert_eq!(shown.close_with_escape(), Default::default());

@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use toml::{Table, Value};
 
-/// For every chapter, in the order of the book, which chapters its manifest names.
+/// Returns for every chapter, in the order of the book, the chapters that its manifest
+/// names.
 fn imports() -> Result<Vec<BTreeSet<usize>>> {
     // A chapter's package is called like its folder, without the number.
     let packages = STAGES.map(|stage| stage.name.split_once('-').unwrap_or_default().1);
@@ -26,9 +27,10 @@ fn imports() -> Result<Vec<BTreeSet<usize>>> {
     imported.into_iter().collect()
 }
 
-/// The same without what goes without saying: what another import imports in turn.
+/// Returns the imports without those that another import implies, since it imports them in
+/// turn.
 fn direct(imports: &[BTreeSet<usize>]) -> Vec<BTreeSet<usize>> {
-    // All that each chapter rests on.
+    // The chapters that each imports, directly or not.
     let mut all: Vec<BTreeSet<usize>> = Vec::new();
     let mut direct = Vec::new();
     for imported in imports {
@@ -40,8 +42,8 @@ fn direct(imports: &[BTreeSet<usize>]) -> Vec<BTreeSet<usize>> {
     direct
 }
 
-/// The chapters as boxes in the order of the book, with an arrow from each to those it is
-/// built on.
+/// Returns an SVG of the chapters as boxes in the order of the book, with an arrow from
+/// each to those that it imports.
 pub fn diagram() -> Result<String> {
     const STEP: usize = 46;
     const EDGE: usize = 442;

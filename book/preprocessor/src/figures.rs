@@ -6,7 +6,8 @@ use preprocessor::study;
 use stages::STAGES;
 use std::fs;
 
-/// The pictures of a stage's `views`, each `VIEW` or `VIEW=KNOB`, side by side.
+/// Returns the HTML of the pictures of a stage's `views`, each `VIEW` or `VIEW=KNOB`, side
+/// by side.
 pub fn figures(stage: &str, views: &[&str]) -> Result<String> {
     let stage = STAGES
         .into_iter()
@@ -73,7 +74,7 @@ fn figure(stage: &Stage, wanted: &str) -> Result<String> {
     ))
 }
 
-/// The charts of a study, and where their numbers come from.
+/// Returns the HTML of a study's charts, and of the source of their numbers.
 pub fn chart(name: &str) -> Result<String> {
     let (study, table) = study(name)?;
     let path = study.path("svg");
@@ -92,7 +93,7 @@ pub fn chart(name: &str) -> Result<String> {
     ))
 }
 
-/// A command whose line may break between two words, and nowhere else.
+/// Returns the HTML of a command whose line may break between two words, and nowhere else.
 pub fn command(words: &str) -> String {
     let words = words.split(' ').map(|word| format!("<span>{word}</span>"));
     format!("<code>{}</code>", words.collect::<Vec<_>>().join(" "))
@@ -116,7 +117,7 @@ fn with_picture(view: &View, setting: &str) -> Result<f32> {
     Ok(setting)
 }
 
-/// A table of all chapters: number, title and command.
+/// Returns a table of all chapters: number, title and command.
 pub fn chapters() -> String {
     let rows = STAGES.map(|stage| {
         let number = stage.name.split('-').next().unwrap_or_default();
@@ -129,7 +130,7 @@ pub fn chapters() -> String {
     format!("| | Chapter | Run it |\n|---|---|---|\n{}\n", rows.concat())
 }
 
-/// Plain text as HTML, with the apostrophes that mdBook gives to all other text.
+/// Returns plain text as HTML, with the apostrophes that mdBook gives to all other text.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

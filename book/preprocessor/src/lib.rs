@@ -1,4 +1,4 @@
-//! The studies of the book: which there are, and the numbers that its pages quote.
+//! The studies of the book, and the numbers that its pages quote.
 
 use mdbook_preprocessor::errors::{Error, Result};
 use speed_and_accuracy::STUDIES;
@@ -27,15 +27,15 @@ pub fn study(name: &str) -> Result<(&'static Study, Table)> {
     Ok((study, table))
 }
 
-/// Returns the number that a page asks for by `STUDY; SCENE; METHOD; SETTING; COLUMN`, as we
+/// Returns the number that a page includes by `STUDY; SCENE; METHOD; SETTING; COLUMN`, as we
 /// write it by hand. The column is `work`, `max`, `rms`, `wrong` or `ns`.
 ///
-/// There is no `|` between them, which would end a cell of a table.
+/// They are not separated by `|`, which would end a cell of a table.
 ///
 /// # Errors
 /// If there is no such number.
-pub fn measured(asked: &str) -> Result<String> {
-    let words = asked.split_whitespace().collect::<Vec<_>>().join(" ");
+pub fn measured(reference: &str) -> Result<String> {
+    let words = reference.split_whitespace().collect::<Vec<_>>().join(" ");
     let number = || {
         let parts = words.split(';').map(str::trim).collect::<Vec<_>>();
         let [name, scene, method, setting, column] = parts[..] else {
@@ -73,7 +73,7 @@ fn for_readers(number: f64) -> String {
     let digits = three_digits(number);
     match digits.split_once('e') {
         Some((digits, exponent)) => {
-            // No line ends within it.
+            // No line breaks within it.
             let exponent = exponent.replace('-', "−");
             format!("{digits}\u{a0}×\u{a0}10<sup>{exponent}</sup>")
         }
@@ -103,7 +103,7 @@ mod a_number {
     fn is_found_in_every_cell_that_is_not_empty() {
         for study in studies() {
             let rows = study.table().unwrap().rows;
-            // Each asks for the whole table: a few of them are enough.
+            // Each call reads the whole table: a few of them are enough.
             for row in rows.iter().step_by(rows.len() / 8 + 1) {
                 let (scene, method, setting) = (&row.scene, &row.method, row.setting);
                 let cells = [
@@ -115,8 +115,13 @@ mod a_number {
                 ];
                 for (column, cell) in cells {
                     let name = study.name;
-                    let asked = format!("{name}; {scene}; {method}; {setting}; {column}");
-                    assert_eq!(measured(&asked).ok(), cell.map(for_readers), "{asked}");
+                    let reference =
+                        format!("{name}; {scene}; {method}; {setting}; {column}");
+                    assert_eq!(
+                        measured(&reference).ok(),
+                        cell.map(for_readers),
+                        "{reference}"
+                    );
                 }
             }
         }

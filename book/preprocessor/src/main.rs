@@ -11,7 +11,7 @@ use std::env;
 use std::io;
 
 fn main() -> Result<()> {
-    // mdBook first asks whether its renderer is supported; the exit code answers.
+    // mdBook first queries whether its renderer is supported; the exit code says so.
     if env::args().nth(1).as_deref() == Some("supports") {
         return Ok(());
     }

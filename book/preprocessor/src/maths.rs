@@ -1,16 +1,17 @@
-//! Formulas: LaTeX to MathML, such that Markdown lets it pass.
+//! Formulas: LaTeX to MathML that Markdown leaves unchanged.
 
 use mdbook_preprocessor::errors::{Error, Result};
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 use std::convert::Infallible;
 
-/// A formula in a line of text.
+/// Returns the MathML of a formula in a line of text.
 pub fn inline(latex: &str) -> Result<String> {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// A formula in a line of its own, which scrolls where it is wider than the page.
+/// Returns the MathML of a formula in a line of its own, which scrolls where it is wider
+/// than the page.
 pub fn display(latex: &str) -> Result<String> {
     let formula = mathml(latex, DisplayMode::Block)?;
     Ok(format!("<span class=\"formula\">{formula}</span>"))
@@ -31,7 +32,8 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String> {
         events.into_iter().map(Ok::<_, Infallible>),
         config,
     )?;
-    // What pulldown-latex 0.8 writes amiss: the relation <, and the attributes of \bigl and its like.
+    // Repairs what pulldown-latex 0.8 writes wrongly: the relation <, and the attributes of \bigl and
+    // similar commands.
     let mathml = mathml
         .replace("><<", ">&lt;<")
         .replace("\"minsize", "\" minsize");

@@ -1,4 +1,5 @@
-//! One page: finds what is to be replaced, and leaves all else, code above all, as it is.
+//! Replaces the formulas and commands of one page, and leaves everything else, code
+//! included, as it is.
 
 use crate::{dependencies, figures, maths};
 use mdbook_preprocessor::errors::{Error, Result};
@@ -14,31 +15,31 @@ pub fn prepare(markdown: &str) -> Result<String> {
     let markdown = &with_numbers(markdown)?;
     let mut prepared = String::new();
     let mut done = 0;
-    for (event, place) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
+    for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
         let replacement = match event {
             Event::InlineMath(latex) => Some(maths::inline(&latex)?),
             Event::DisplayMath(latex) => Some(maths::display(&latex)?),
-            Event::Start(Tag::Paragraph) => paragraph(markdown[place.clone()].trim())?,
+            Event::Start(Tag::Paragraph) => paragraph(markdown[range.clone()].trim())?,
             _ => None,
         };
         if let Some(replacement) = replacement {
-            prepared += &markdown[done..place.start];
+            prepared += &markdown[done..range.start];
             prepared += &replacement;
-            done = place.end;
+            done = range.end;
         }
     }
     Ok(prepared + &markdown[done..])
 }
 
-/// Replaces each `{{#measured …}}` that is not code, wherever it stands.
+/// Returns the page with each `{{#measured …}}` replaced that is not code.
 fn with_numbers(markdown: &str) -> Result<String> {
     let mut filled = String::new();
     let mut done = 0;
-    for (event, place) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
+    for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
         if let Event::Code(_) | Event::Start(Tag::CodeBlock(_)) = event {
-            filled += &fill_in(&markdown[done..place.start])?;
-            filled += &markdown[place.clone()];
-            done = place.end;
+            filled += &fill_in(&markdown[done..range.start])?;
+            filled += &markdown[range.clone()];
+            done = range.end;
         }
     }
     Ok(filled + &fill_in(&markdown[done..])?)
@@ -48,18 +49,18 @@ fn fill_in(text: &str) -> Result<String> {
     let mut filled = String::new();
     let mut rest = text;
     while let Some((before, command)) = rest.split_once("{{#measured ") {
-        let (asked, after) = command
+        let (reference, after) = command
             .split_once("}}")
             .ok_or_else(|| Error::msg("a {{#measured has no }}"))?;
         filled += before;
-        filled += &preprocessor::measured(asked)?;
+        filled += &preprocessor::measured(reference)?;
         rest = after;
     }
     Ok(filled + rest)
 }
 
-/// What stands in for a paragraph that is nothing but `{{#figure …}}`, `{{#chart …}}`,
-/// `{{#stages}}` or `{{#dependencies}}`.
+/// Returns the replacement of a paragraph that is nothing but `{{#figure …}}`, `{{#chart
+/// …}}`, `{{#stages}}` or `{{#dependencies}}`.
 fn paragraph(text: &str) -> Result<Option<String>> {
     let Some(command) = text
         .strip_prefix("{{#")
@@ -205,19 +206,19 @@ mod a_page {
 
     #[test]
     fn gets_measured_numbers_wherever_they_stand_but_in_code() {
-        let ask = "{{#measured sphere; from afar; textbook; 1000; wrong}}";
+        let command = "{{#measured sphere; from afar; textbook; 1000; wrong}}";
         let number = measured("sphere; from afar; textbook; 1000; wrong").unwrap();
         let page = |number: &str| {
             format!(
                 "# Wrong: {number}\n\n{number} % is *wrong ({number} %)*, or $x = {number}$.\n\n\
                  * An item with {number} and {number}.\n\n\
                  | {number} | b |\n|---|---|\n| 1 | {number} |\n\n\
-                 <p>{number}</p>\n\n`{ask}`, says\n\n```text\n{ask}\n```\n"
+                 <p>{number}</p>\n\n`{command}`, says\n\n```text\n{command}\n```\n"
             )
         };
         let expected = prepare(&page(&number)).unwrap();
-        assert_eq!(prepare(&page(ask)).unwrap(), expected);
-        let broken = ask
+        assert_eq!(prepare(&page(command)).unwrap(), expected);
+        let broken = command
             .replace("; ", ";\n  ")
             .replace("from afar", "from\nafar");
         assert_eq!(prepare(&page(&broken)).unwrap(), expected);
@@ -225,7 +226,7 @@ mod a_page {
 
     #[test]
     fn cannot_know_a_number_that_nobody_measured() {
-        for (asked, complaint) in [
+        for (reference, complaint) in [
             (
                 "cube; from afar; textbook; 1000; wrong",
                 "there is no study 'cube'",
@@ -254,7 +255,7 @@ mod a_page {
                 "not STUDY; SCENE;",
             ),
         ] {
-            let page = format!("It is {{{{#measured {asked}}}}} % wrong.\n");
+            let page = format!("It is {{{{#measured {reference}}}}} % wrong.\n");
             let problem = prepare(&page).unwrap_err().to_string();
             assert!(problem.contains(complaint), "{problem}");
         }

@@ -56,7 +56,7 @@ impl Pixel {
 // ANCHOR_END: pixel
 
 // ANCHOR: picture
-/// A pure function from a pixel to linear light: red, green and blue, where 1 is white.
+/// A function from a pixel to linear light: red, green and blue, where 1 is white.
 pub struct Picture(Box<RenderSpan>);
 
 type RenderSpan = dyn Fn(Pixel, &mut [Vec3]) + Send + Sync;
@@ -74,9 +74,8 @@ impl Picture {
         })
     }
 
-    /// Returns the picture that `render_span` defines. That function is given the first
-    /// pixel of a span and writes the light of this pixel and of those to its right, one
-    /// for each element of the slice.
+    /// Returns the picture that `render_span` defines. It is given the first pixel of a
+    /// span, and writes the light of this pixel and of those to its right into the slice.
     ///
     /// A pixel's light must not depend on the span in which the pixel is rendered.
     pub fn from_spans(
@@ -145,7 +144,7 @@ impl Canvas {
     /// Saves the levels as a PNG.
     ///
     /// # Errors
-    /// If the file cannot be written; then what is at `path` may be incomplete.
+    /// If the file cannot be written; a file at `path` may then be incomplete.
     pub fn save(&self, path: &Path) -> ImageResult<()> {
         let UVec2 { x, y } = self.size;
         let levels = self.levels.as_flattened();

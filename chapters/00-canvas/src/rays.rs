@@ -1,4 +1,4 @@
-//! How many rays a picture takes: its cost on every machine and at any time of day.
+//! Counts rays: the cost of a picture, the same on every machine and at any time of day.
 
 use std::cell::Cell;
 

@@ -61,7 +61,7 @@ fn encode_channel(linear: f32) -> u8 {
 
 /// Returns the sRGB levels of linear light, 0 to 255, correctly rounded.
 ///
-/// Below 0, and NaN, give 0; above 1 gives 255.
+/// Light below 0 and NaN give 0, light above 1 gives 255.
 #[must_use]
 pub fn encode(radiance: Vec3) -> [u8; 3] {
     radiance.to_array().map(encode_channel)

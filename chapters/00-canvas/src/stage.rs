@@ -1,13 +1,13 @@
-//! A chapter's one description of its pictures: the window, the command line, the
-//! snapshots and the book are driven by it.
+//! The description of a chapter's pictures, from which the window, the command line, the
+//! snapshots and the book are made.
 
 use crate::Picture;
 
 // ANCHOR: stage
-/// A chapter, as what it shows.
+/// A chapter: its names and its pictures.
 pub struct Stage {
-    /// The chapter's [`folder_name`], `04-shadows`: also the name of its program, and the
-    /// start of its pictures' names.
+    /// The chapter's [`folder_name`]: also the name of its program, and the start of its
+    /// pictures' names.
     pub name: &'static str,
     /// The idea, in a few words.
     pub title: &'static str,
@@ -19,21 +19,21 @@ pub struct Stage {
     pub views: &'static [View],
 }
 
-/// One picture of a chapter: a slide of the lecture, a bug on purpose, or its cure.
+/// A picture that a chapter shows: of a method, a bug, or its fix.
 pub struct View {
     /// Lower case, with hyphens: `beyond-buggy`.
     pub name: &'static str,
-    /// What to look for; also the picture's text for those who cannot see it.
+    /// The caption: what to look for. Also the picture's alternative text.
     pub caption: &'static str,
-    /// The number that the reader may change, if there is one.
+    /// The parameter that the reader may change. `None` if there is none.
     pub knob: Option<Knob>,
     /// Returns the picture at a setting of the knob. A view without a knob is given 0.
     pub picture: fn(f32) -> Picture,
 }
 
-/// The number of a view that the reader may change.
+/// A parameter of a view that the reader may change.
 pub struct Knob {
-    /// The quantity.
+    /// The quantity's name.
     pub name: &'static str,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
@@ -41,9 +41,9 @@ pub struct Knob {
     pub min: f32,
     /// The greatest setting.
     pub max: f32,
-    /// The setting to begin with.
+    /// The initial setting.
     pub default: f32,
-    /// How it steps.
+    /// How the setting steps.
     pub scale: Scale,
     /// Further settings with a picture in the book.
     pub snapshot_settings: &'static [f32],
@@ -65,7 +65,7 @@ impl Stage {
     /// Returns the view that is shown first.
     ///
     /// # Panics
-    /// If no view is called like [`Stage::hero`].
+    /// If no view has the name [`Stage::hero`].
     #[must_use]
     pub fn hero(&self) -> &'static View {
         self.view(self.hero).expect("`hero` names a view")
@@ -78,7 +78,7 @@ impl Stage {
     }
 
     /// Returns the name of a picture's file, without an extension:
-    /// `02-sphere-hit--far-stable--knob-10`.
+    /// `STAGE--VIEW--knob-SETTING`.
     ///
     /// The default setting is not named, and the name holds no dot.
     #[must_use]
@@ -153,8 +153,8 @@ impl Knob {
     }
 }
 
-/// Returns the last part of a path: of `env!("CARGO_MANIFEST_DIR")`, the name of the
-/// chapter's folder, so that its number stands nowhere in its source.
+/// Returns the last part of a path. Of `env!("CARGO_MANIFEST_DIR")` that is the name of the
+/// chapter's folder, so that no source holds the chapter's number.
 #[must_use]
 pub const fn folder_name(path: &'static str) -> &'static str {
     let bytes = path.as_bytes();

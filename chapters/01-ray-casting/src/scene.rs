@@ -1,4 +1,4 @@
-//! The camera that every chapter looks at the still life with.
+//! The still life's camera.
 
 use crate::Camera;
 use glam::Vec3;

@@ -1,6 +1,6 @@
 // ANCHOR: head
-//! Where a ray meets a sphere: the textbook's formula, how it fails, and one that does
-//! not.
+//! The intersection of a ray and a sphere: the textbook's formula, how it fails, and a
+//! stable one.
 
 pub mod views;
 pub use views::STAGE;
@@ -31,7 +31,7 @@ impl Sphere {
 // ANCHOR_END: sphere
 
 // ANCHOR: roots
-/// The greatest distance at which a ray can hit: the squares of longer ones overflow f32.
+/// The greatest distance of a hit: the squares of distances not much longer overflow f32.
 pub const T_MAX: f32 = 1e18;
 
 /// Returns the first of two roots, in this order, with 0 < t < `t_max`.
@@ -102,9 +102,8 @@ impl Sphere {
 impl Sphere {
     /// Returns the outward unit normal at a `point` of the surface.
     ///
-    /// A point that rounding has put into the very centre, or so far off that the squares
-    /// overflow, has no normal: then it is [`Vec3::Y`], so that a hit is never lost for want
-    /// of one.
+    /// [`Vec3::Y`] if rounding has put the point into the centre, or so far away that the
+    /// squares overflow: then no hit is lost for want of a normal.
     #[inline]
     #[must_use]
     pub fn normal(&self, point: Vec3) -> Vec3 {
@@ -126,7 +125,8 @@ pub struct Hit {
 }
 
 impl Sphere {
-    /// Returns the hit that [`Sphere::distance`] looks for, calculated in f64 throughout.
+    /// Returns the first hit with 0 < t < `t_max`, calculated in f64 throughout. `None` if
+    /// there is none.
     ///
     /// Up to a distance of 10⁷ radii, `t` is within a unit in its last place, and the normal
     /// within 10⁻⁷ radians.

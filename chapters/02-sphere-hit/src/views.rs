@@ -72,7 +72,7 @@ fn normal_as_colour(normal: Vec3) -> Vec3 {
     (normal + Vec3::ONE) / 2.0
 }
 
-/// Returns the first sphere's colour, whatever the normal.
+/// Returns the first sphere's flat colour; the normal is ignored.
 #[must_use]
 pub fn red(_: Vec3) -> Vec3 {
     Vec3::new(0.9, 0.15, 0.1)
@@ -120,7 +120,8 @@ const PAPER_SPHERE: Sphere = Sphere {
     radius: 0.5,
 };
 
-/// A ray at some `height` above the centre of a sphere, both cut through the middle.
+/// Returns the drawing of a ray at some `height` above the centre of a sphere, both cut
+/// through the middle.
 fn cross_section(height: f32) -> Picture {
     let start = Vec2::new(-1.1, height);
     let end = Vec2::new(1.3, height);
@@ -134,7 +135,7 @@ fn cross_section(height: f32) -> Picture {
     })
 }
 
-/// A ray in the plane of a drawing, z = 0.
+/// Returns a ray in the plane of a drawing, z = 0.
 #[must_use]
 pub fn ray_on_paper(origin: Vec2, direction: Vec2) -> Ray {
     Ray {
@@ -143,9 +144,9 @@ pub fn ray_on_paper(origin: Vec2, direction: Vec2) -> Ray {
     }
 }
 
-/// A drawing of a ray from `start` to `end`, its `hits`, and something solid.
+/// Returns the drawing of a ray from `start` to `end`, its `hits`, and a solid shape.
 ///
-/// `solid` is the distance of a point from the solid's edge, negative inside.
+/// `solid` returns the distance of a point from the shape's edge, negative inside.
 pub fn drawing(
     start: Vec2,
     end: Vec2,

@@ -51,7 +51,7 @@ impl Plane {
 // ANCHOR_END: distance
 
 // ANCHOR: object
-/// What a ray can hit.
+/// The shape of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A ball.
@@ -60,7 +60,7 @@ pub enum Shape {
     Plane(Plane),
 }
 
-/// An object of the scene, made of what a chapter calls a material.
+/// An object of the scene. `M` is the chapter's type of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object<M> {
     /// Its name.
@@ -127,7 +127,7 @@ impl<M> Object<M> {
 /// Returns the index of the object that the ray hits first, and the distance to the hit.
 /// `None` if it hits nothing. Counts one ray.
 ///
-/// Of two objects at the same distance it is the first in the list.
+/// Of several objects at the same distance, the first in the list is returned.
 #[inline]
 #[must_use]
 pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
@@ -136,8 +136,9 @@ pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
     })
 }
 
-/// Returns the same by another way to intersect an object: from its index, the object and
-/// `t_max` to the distance of the first hit with 0 < t < `t_max`.
+/// Returns the nearest hit, as [`nearest`] does, of objects that `distance` intersects: a
+/// function from an object's index, the object and `t_max` to the distance of the first hit
+/// with 0 < t < `t_max`.
 #[inline]
 #[must_use]
 pub fn nearest_by<M>(
@@ -184,7 +185,7 @@ pub fn is_even_in_space(point: Vec3) -> bool {
 /// The colour of a surface, linear, each component from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Texture {
-    /// The same everywhere.
+    /// The same colour everywhere.
     Solid(Vec3),
     /// Squares of side 1 by the point's x and z, for a horizontal plane: even and odd.
     Checker(Vec3, Vec3),

@@ -1,4 +1,4 @@
-//! The still life: the one scene that every chapter draws as well as it can.
+//! The still life: the scene that most chapters render.
 
 use crate::{Object, Shape, Texture};
 use glam::Vec3;

@@ -56,14 +56,15 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-/// The still life in flat colours.
+/// Returns the picture of the still life in flat colours.
 #[must_use]
 pub fn flat(camera: Camera) -> Picture {
     let objects = still_life(STILL_LIFE_COLOURS);
     Picture::new(move |pixel| trace(&objects, &camera.ray(pixel.centre())))
 }
 
-/// The floor at height −1, looked at by the still life's camera, with whatever says which squares are dark.
+/// Returns the picture of a floor at height −1, whose dark squares are those for which `is_even`
+/// holds.
 fn checkered_floor(is_even: fn(Vec3) -> bool) -> Picture {
     let camera = still_life_camera();
     let floor = Plane::new(Vec3::NEG_Y, Vec3::Y).expect("a plane");
@@ -81,7 +82,7 @@ fn checkered_floor(is_even: fn(Vec3) -> bool) -> Picture {
 /// The height of the drawings' floor, as a point of it.
 const FLOOR_ON_PAPER: Vec2 = Vec2::new(0.0, -0.4);
 
-/// A ray above a floor, seen from the side.
+/// Returns the drawing of a ray above a floor, seen from the side.
 fn above_a_floor(start: Vec2, direction: Vec2) -> Picture {
     let floor = Plane::new(FLOOR_ON_PAPER.extend(0.0), Vec3::Y).expect("a plane");
     let ray = ray_on_paper(start, direction);

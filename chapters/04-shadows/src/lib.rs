@@ -1,6 +1,6 @@
 // ANCHOR: head
-//! Shadows: from every hit a ray towards the light, and darkness if something is in its
-//! way.
+//! Shadows: from every hit a ray towards each light, which lights it only if no object is
+//! between.
 
 pub mod scene;
 pub mod views;
@@ -13,7 +13,7 @@ use sphere_hit::{T_MAX, face_forward};
 // ANCHOR_END: head
 
 // ANCHOR: scene
-/// A light source too small to see; its light does not fade with distance.
+/// A light source without extent; its light does not fade with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
     /// Its position.
@@ -25,7 +25,7 @@ pub struct PointLight {
 /// Objects, and the lights that shine on them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<M> {
-    /// All that a ray can hit.
+    /// The objects that rays can hit.
     pub objects: Vec<Object<M>>,
     /// All light sources.
     pub lights: Vec<PointLight>,
@@ -47,7 +47,7 @@ impl<M> Scene<M> {
 // ANCHOR_END: scene
 
 // ANCHOR: interaction
-/// What shading needs to know of a ray's hit.
+/// A ray's hit on an object, with all that shading needs.
 ///
 /// Source: `SurfaceInteraction` in Pharr, Jakob and Humphreys, Physically Based Rendering.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ pub struct Interaction {
     pub index: usize,
     /// The distance along the ray.
     pub t: f32,
-    /// The point.
+    /// The hit point.
     pub point: Vec3,
     /// The ray's direction; a unit vector.
     pub incident: Vec3,
@@ -131,7 +131,8 @@ pub fn is_visible<M>(scene: &Scene<M>, at: &Interaction, light: &PointLight) -> 
 // ANCHOR_END: visible
 
 // ANCHOR: buggy
-/// The lecture's buggy shadow: an object beyond the light occludes it, too.
+/// Returns whether a light is visible from a hit, with the lecture's bug: an object beyond
+/// the light occludes it, too.
 #[must_use]
 pub fn is_visible_buggy<M>(
     scene: &Scene<M>,
@@ -144,7 +145,7 @@ pub fn is_visible_buggy<M>(
 // ANCHOR_END: buggy
 
 // ANCHOR: trace
-/// What decides whether a light is visible from a hit.
+/// A function that returns whether a light is visible from a hit.
 pub type Visibility<M> = fn(&Scene<M>, &Interaction, &PointLight) -> bool;
 
 /// Returns the flat colour of the first object that the ray hits, times the intensity of the

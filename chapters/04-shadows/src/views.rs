@@ -57,7 +57,8 @@ pub fn still_life_by(camera: Camera, is_visible: Visibility<Texture>) -> Picture
     picture_of(lit_still_life(STILL_LIFE_COLOURS), camera, is_visible)
 }
 
-/// A ball on the floor, another high above it, and a lamp between the two.
+/// Returns the picture of a ball on the floor, another high above it, and a light between
+/// the two.
 fn light_between_balls(is_visible: Visibility<Texture>) -> Picture {
     let ball = |name, height, colour| Object {
         name,

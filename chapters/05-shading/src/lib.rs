@@ -20,7 +20,7 @@ use std::ops::Mul;
 pub struct Phong {
     /// The colour of its ambient and diffuse light; a highlight has the light's own.
     pub colour: Texture,
-    /// kₐ, the fraction of its colour that it sends out in any case, in place of all indirect
+    /// kₐ, the fraction of its colour that it always reflects, in place of all indirect
     /// light.
     pub ambient: f32,
     /// k_d, the fraction that it reflects in all directions alike.

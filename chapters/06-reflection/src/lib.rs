@@ -29,8 +29,8 @@ pub fn reflect_unnormalized(incident: Vec3, normal: Vec3) -> Vec3 {
 // ANCHOR_END: unnormalized
 
 // ANCHOR: reflect
-/// Returns `incident` reflected about the plane with the given `normal`; it makes no
-/// difference to which side of the plane the normal points.
+/// Returns `incident` reflected about the plane with the given `normal`, which may point to
+/// either side of the plane.
 ///
 /// Both must be unit vectors, up to rounding. So is the result: it is normalised once, here.
 ///
@@ -44,7 +44,7 @@ pub fn reflect(incident: Vec3, normal: Vec3) -> Vec3 {
 
 // ANCHOR: bounce
 /// Returns the ray after its next bounce inside a mirror sphere, by the textbook's formula
-/// for the hit and either formula to `reflect`.
+/// for the hit, and one of the two functions above to `reflect`.
 ///
 /// The ray must start on the sphere and point inwards. The result starts on the sphere
 /// again, up to rounding.
@@ -70,7 +70,7 @@ pub const MAX_DEPTH: u32 = 64;
 /// The throughput at or below which a ray is not traced.
 pub const MIN_THROUGHPUT: f32 = 1.0 / 2048.0;
 
-/// How far a path of rays may still go on: the bounces that are left, and its throughput.
+/// Recursion budget: the number of bounces that are left, and the throughput.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathBudget {
     /// The number of bounces that are left.

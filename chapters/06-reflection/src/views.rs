@@ -93,8 +93,8 @@ pub fn picture_of(scene: Scene<Mirror>, camera: Camera, depth: f32) -> Picture {
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), budget))
 }
 
-/// Returns the picture of the inside of a mirror sphere with a checkered skin, after a number
-/// of bounces.
+/// Returns the picture of the inside of a mirror sphere with a checkered surface, after a
+/// number of bounces.
 fn inside_a_sphere(bounces: f32, reflect: fn(Vec3, Vec3) -> Vec3) -> Picture {
     let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
     let eye = Vec3::new(0.0, 0.0, -0.6);

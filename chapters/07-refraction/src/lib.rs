@@ -43,7 +43,7 @@ pub fn refract(incident: Vec3, normal: Vec3, eta: f32) -> Option<Vec3> {
 // ANCHOR_END: refract
 
 // ANCHOR: interface
-/// The indices of refraction on the two sides of a surface, as a ray finds them.
+/// The indices of refraction on the two sides of a surface that a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interface {
     /// ηᵢ, on the side from which the ray comes.
@@ -53,8 +53,8 @@ pub struct Interface {
 }
 
 impl Interface {
-    /// Decides, once, whether a ray enters or leaves an object with an index inside and
-    /// another outside.
+    /// Returns the indices for a ray that enters or leaves an object, by the index inside
+    /// and that outside.
     #[inline]
     #[must_use]
     pub fn new(at: &Interaction, eta_inside: f32, eta_outside: f32) -> Self {
@@ -70,8 +70,8 @@ impl Interface {
 // ANCHOR_END: interface
 
 // ANCHOR: refract-or-reflect
-/// Returns where light goes on at a dielectric, as a weight and a direction: refracted, or
-/// reflected if it cannot leave.
+/// Returns the weight and the unit direction of the ray that a dielectric scatters: the
+/// refracted one, or under total internal reflection the reflected one.
 #[must_use]
 pub fn refract_or_reflect(
     at: &Interaction,
@@ -86,7 +86,7 @@ pub fn refract_or_reflect(
 // ANCHOR_END: refract-or-reflect
 
 // ANCHOR: failed
-/// Refraction, failed: the ratio of the indices is not inverted when the ray leaves.
+/// Refracts with a bug: the ratio of the indices is not inverted when the ray leaves.
 #[must_use]
 pub fn refract_without_inverting(
     at: &Interaction,
@@ -98,7 +98,7 @@ pub fn refract_without_inverting(
     (1.0, direction)
 }
 
-/// Refraction, failed: light that cannot leave is lost.
+/// Refracts with a bug: under total internal reflection the light is lost.
 #[must_use]
 pub fn refract_without_total_reflection(
     at: &Interaction,
@@ -114,36 +114,36 @@ pub fn refract_without_total_reflection(
 // ANCHOR_END: failed
 
 // ANCHOR: material
-/// What becomes of light that is not scattered at the surface.
+/// How an object reflects and transmits rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Optics {
-    /// A fraction of it is reflected; the rest is lost.
+    /// A fraction of the light is reflected; the rest is lost.
     Opaque {
-        /// kᵣ, the fraction of light that is reflected like in a mirror, from 0 to 1.
+        /// kᵣ, the fraction of light that is reflected as by a mirror, from 0 to 1.
         reflectivity: f32,
     },
-    /// It passes through. Both indices are positive.
+    /// Light passes through. Both indices are positive.
     Dielectric {
         /// The index of refraction inside the object.
         eta_inside: f32,
-        /// The index of refraction of what surrounds it.
+        /// The index of refraction outside the object.
         eta_outside: f32,
     },
 }
 
-/// A surface, and what is behind it.
+/// How an object reflects the lights, and reflects and transmits rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// How the surface reflects the lights.
     pub phong: Phong,
-    /// What becomes of the other light.
+    /// How the object reflects and transmits rays.
     pub optics: Optics,
 }
 // ANCHOR_END: material
 
 // ANCHOR: trace
-/// Where light goes on at a dielectric, by the indices inside and outside; one of the
-/// functions above.
+/// One of the functions above: from a hit and the indices inside and outside to the weight
+/// and the direction of the scattered ray.
 pub type Transmission = fn(&Interaction, f32, f32) -> (f32, Vec3);
 
 /// Returns the radiance along a ray: that of the surface that it hits first and what is seen

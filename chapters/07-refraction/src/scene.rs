@@ -11,7 +11,7 @@ use shadows::Scene;
 use shadows::scene::lit_still_life;
 
 // ANCHOR: glass
-/// The index of refraction of air, as good as a vacuum's.
+/// The index of refraction of air, rounded to that of a vacuum.
 pub const AIR: f32 = 1.0;
 /// The index of refraction of common glass.
 pub const GLASS: f32 = 1.5;

@@ -69,8 +69,8 @@ pub const fn eta_knob(snapshot_settings: &'static [f32]) -> Knob {
     }
 }
 
-/// Returns the picture of the still life with glass of the given indices, by one of the ways
-/// in which rays may go on at it.
+/// Returns the picture of the still life with glass of the given indices, which scatters
+/// rays as `transmission` says.
 #[must_use]
 pub fn picture_of(
     eta_inside: f32,

@@ -1,5 +1,5 @@
 // ANCHOR: head
-//! Fresnel: how much of the light is reflected at an interface, and how much is transmitted.
+//! Fresnel: the fraction of light that an interface reflects; it transmits the rest.
 
 pub mod views;
 pub use views::STAGE;
@@ -64,11 +64,11 @@ pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 // ANCHOR_END: schlick
 
 // ANCHOR: scatter
-/// How much is reflected, by cosθᵢ, ηᵢ and ηₜ; one of the functions above.
+/// One of the functions above: from cosθᵢ, ηᵢ and ηₜ to the reflectance.
 pub type Reflectance = fn(f32, f32, f32) -> f32;
 
 /// Returns the reflected and the transmitted ray of a hit, each as a weight and a unit
-/// direction. `None` for a ray that there is not; the weight of one that there is may be 0.
+/// direction. `None` if there is no such ray. A weight may be 0.
 #[inline]
 #[must_use]
 pub fn scatter(

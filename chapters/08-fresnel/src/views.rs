@@ -49,8 +49,7 @@ pub const STAGE: Stage = Stage {
     ],
 };
 
-/// Returns the picture of the still life with glass of the given indices, of which
-/// `reflectance` says how much it reflects.
+/// Returns the picture of the still life with glass of the given indices and `reflectance`.
 #[must_use]
 pub fn picture_of(
     eta_inside: f32,

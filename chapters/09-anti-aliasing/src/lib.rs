@@ -12,8 +12,8 @@ use glam::{UVec2, Vec2, Vec3};
 
 // ANCHOR: samples
 /// Returns n × n points of the image plane, one per cell of a grid over the pixel, row by row
-/// from the top left. `position` is the position of the i-th within its cell, from (0, 0) to
-/// (1, 1).
+/// from the top left. `position` returns the position of the i-th within its cell, from
+/// (0, 0) to (1, 1).
 fn stratified_points(
     pixel: Pixel,
     n: u32,
@@ -36,8 +36,8 @@ fn mean(points: impl Iterator<Item = Vec2>, radiance: &dyn Fn(Vec2) -> Vec3) -> 
     sum / count
 }
 
-/// A way to take n × n samples of a pixel: from the pixel, n, and the radiance at a point of
-/// the image plane to the pixel's radiance.
+/// A function that takes n × n samples of a pixel: from the pixel, n, and the radiance at a
+/// point of the image plane to the pixel's radiance.
 pub type Sampler = fn(Pixel, u32, &dyn Fn(Vec2) -> Vec3) -> Vec3;
 // ANCHOR_END: samples
 

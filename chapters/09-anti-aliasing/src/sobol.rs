@@ -32,13 +32,13 @@ pub fn sample_position(pixel: Pixel, i: u32) -> Vec2 {
     Vec2::from_array(scrambled.map(|bits| (bits >> 8) as f32)) / (1 << 24) as f32
 }
 
-/// Owen's permutation: each bit is flipped or not, as the bits above it and the seed
-/// decide.
+/// Returns Owen's permutation of `x`: each bit is flipped or not, as the bits above it and
+/// the seed decide.
 ///
 /// Source: Laine and Karras, "Stratified Sampling for Stochastic Transparency" (2011).
 fn scramble(x: u32, seed: u32) -> u32 {
     let mut x = x.reverse_bits().wrapping_add(seed);
-    // Multiplying by an even number carries a bit upwards only, and all is upside down.
+    // Multiplying by an even number carries a bit upwards only, so the bits are reversed.
     for even in [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
         x ^= x.wrapping_mul(even);
     }

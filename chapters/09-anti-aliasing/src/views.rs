@@ -97,7 +97,7 @@ fn still_life_by(n: f32, sampler: Sampler) -> Picture {
     })
 }
 
-/// The floor alone, in flat colours.
+/// Returns the picture of the floor alone, in flat colours.
 fn horizon_by(n: f32, sampler: Sampler) -> Picture {
     let camera = horizon_camera();
     let mut floor = still_life(STILL_LIFE_COLOURS);
@@ -107,7 +107,8 @@ fn horizon_by(n: f32, sampler: Sampler) -> Picture {
     })
 }
 
-/// White dots on black, their radius a quarter of a pixel in a picture of 240 rows.
+/// Returns the picture of white dots on black, their radius a quarter of a pixel in a
+/// picture of 240 rows.
 fn dots_by(n: f32, sampler: Sampler) -> Picture {
     const PIXEL: f32 = 2.0 / 240.0;
     const APART: f32 = 8.3 * PIXEL;

@@ -28,7 +28,7 @@ pub struct SurfaceRay {
     pub enters: bool,
 }
 
-/// How a ray leaves a surface: from its shape, a hit and a unit direction to the ray.
+/// A function that spawns a ray: from the shape, the hit and a unit direction to the ray.
 pub type SpawnRay = fn(&Shape, &Interaction, Vec3) -> SurfaceRay;
 
 /// Returns a ray whose origin is not known to be on a surface: a camera's ray.
@@ -44,8 +44,8 @@ pub fn untracked(ray: Ray) -> SurfaceRay {
 // ANCHOR_END: surface-ray
 
 // ANCHOR: offsets
-/// The bug: the ray starts at the computed point, which rounding puts on either side of the
-/// surface.
+/// Spawns a ray at the computed point, which rounding puts on either side of the surface:
+/// the bug.
 #[must_use]
 pub fn without_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
     untracked(Ray {
@@ -54,7 +54,7 @@ pub fn without_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRa
     })
 }
 
-/// The ray starts at a fixed distance from the surface, [`SHADOW_BIAS`].
+/// Spawns a ray at a fixed distance from the surface, [`SHADOW_BIAS`].
 #[must_use]
 pub fn with_fixed_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
     let normal = face_forward(at.outward, -direction);
@@ -64,7 +64,7 @@ pub fn with_fixed_offset(_: &Shape, at: &Interaction, direction: Vec3) -> Surfac
     })
 }
 
-/// The ray starts at a distance from the surface that grows with the numbers of the scene:
+/// Spawns a ray at a distance from the surface that grows with the numbers of the scene:
 /// 4 ε max(|p|, |c|, r) from the projected point, since each of its coordinates is rounded to
 /// within ε/2 of these numbers, a few times over.
 ///
@@ -107,7 +107,7 @@ fn project_to_surface(shape: &Shape, at: &Interaction) -> Vec3 {
 // ANCHOR_END: offsets
 
 // ANCHOR: from-surface
-/// The cure: the ray starts on the surface, and remembers the object.
+/// Spawns a ray that starts on the surface, and remembers the object: the fix.
 #[inline]
 #[must_use]
 pub fn from_surface(shape: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
@@ -119,7 +119,8 @@ pub fn from_surface(shape: &Shape, at: &Interaction, direction: Vec3) -> Surface
     }
 }
 
-/// Returns the distance at which a ray that starts on a sphere leaves it, if 0 < t < `t_max`.
+/// Returns the distance at which a ray that starts on a sphere leaves it, if 0 < t < `t_max`;
+/// `None` otherwise.
 ///
 /// One root of the quadratic is 0, where the ray starts, so only a linear term is left for
 /// the other.
@@ -132,8 +133,9 @@ pub fn exit_distance(sphere: &Sphere, ray: &Ray, t_max: f32) -> Option<f32> {
 }
 
 impl SurfaceRay {
-    /// Returns the distance to the first hit with 0 < t < `t_max` of the object with this
-    /// index. The object on which the ray starts can be hit again only from inside.
+    /// Returns the distance to the first hit with 0 < t < `t_max` on the object with this
+    /// index. `None` if there is none. The object on which the ray starts can be hit again
+    /// only from inside.
     #[inline]
     #[must_use]
     pub fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {

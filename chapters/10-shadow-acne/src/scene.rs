@@ -1,4 +1,4 @@
-//! A scene to trip over: balls of very different sizes on a planet.
+//! A scene that provokes shadow acne: balls of very different sizes on a planet.
 
 use glam::Vec3;
 use plane_hit::{Object, Shape, Texture};

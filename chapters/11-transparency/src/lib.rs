@@ -114,7 +114,7 @@ pub fn path_length_inside<M>(
 
 // ANCHOR: trace
 /// Returns the radiance along a ray: that of the surface that it hits first, and what is seen
-/// in it and through it, less what is absorbed on the way; or the background.
+/// in it and through it, less what is absorbed along the ray; or the background.
 #[must_use]
 pub fn trace(scene: &Scene<Absorbing>, ray: &SurfaceRay, budget: PathBudget) -> Vec3 {
     let Some(at) = ray.intersect(&scene.objects) else {

@@ -154,9 +154,9 @@ fn refract(incident: Vec3x16, normal: Vec3x16, eta: Lanes) -> (Vec3x16, Lanes) {
     let tangential = incident + normal * cos_theta_i;
     let sin2_theta_t = eta * eta * tangential.dot(tangential);
     let refracted = (tangential * eta - normal * (1.0 - sin2_theta_t).sqrt()).normalize();
-    let is_straight = eta.simd_eq(1.0);
-    let is_refracted = is_straight | sin2_theta_t.simd_lt(1.0);
-    (is_straight.select(incident, refracted), is_refracted)
+    let is_same_index = eta.simd_eq(1.0);
+    let is_refracted = is_same_index | sin2_theta_t.simd_lt(1.0);
+    (is_same_index.select(incident, refracted), is_refracted)
 }
 // ANCHOR_END: scatter
 

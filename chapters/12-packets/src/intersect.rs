@@ -53,7 +53,7 @@ impl Packet {
         let half_chord_squared =
             sphere.radius * sphere.radius - perpendicular.dot(perpendicular);
         let mask = rays & half_chord_squared.simd_ge(0.0);
-        // An `if` that pays: most packets miss most spheres.
+        // This branch pays: most packets miss most spheres.
         if mask.none() {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Sixteen numbers in place of one, and vectors of them.
+//! Lanes of sixteen numbers, and vectors of them.
 
 // ANCHOR: lanes
 use glam::Vec3;
@@ -95,7 +95,7 @@ impl Vec3x16 {
 // ANCHOR_END: vectors
 
 // ANCHOR: operators
-/// A number stands for the vector whose three components it is.
+/// Converts a number to the vector whose three components are that number.
 impl<T: Into<Lanes>> From<T> for Vec3x16 {
     #[inline]
     fn from(number: T) -> Self {

@@ -76,7 +76,7 @@ impl Interactions<'_> {
 /// objects, of which a packet hits few, are shaded one after another, each for the rays that
 /// hit it.
 ///
-/// `throughput` takes the place of [`PathBudget::throughput`], lane by lane.
+/// `throughput` replaces [`PathBudget::throughput`], lane by lane.
 #[must_use]
 pub fn trace(
     scene: &Scene<Material>,

@@ -1,4 +1,4 @@
-//! What the walk's command line has beside the other chapters'.
+//! The walk's command line: the arguments of every chapter, and some of its own.
 
 use crate::{shot, window};
 use canvas::{Canvas, Pixel};
@@ -15,10 +15,10 @@ const KEYS: &str = "In the window: W A S D move, R F rise and sink, Home leads b
                     and + - change the focal length, 1-9 and Tab change the view, Up and Down turn the knob, a click \
                     explains a pixel, Space freezes, P saves a PNG, Esc closes.";
 
-/// Does what the program's arguments ask for.
+/// Parses the program's arguments, and runs the walk or renders what they request.
 ///
 /// # Errors
-/// If they make no sense, or if it cannot be done.
+/// If the arguments are invalid, or the request cannot be carried out.
 pub fn run() -> Result<(), Error> {
     let option = |name, value, help| {
         let arg = Arg::new(name).long(name).value_name(value).help(help);

@@ -1,4 +1,5 @@
-//! A pixel's ray, explained: what it hit, and what came back along every ray from there.
+//! Explains a pixel's ray: what it hits, and the radiance along every ray that follows from
+//! it.
 //!
 //! [`explain`] does what [`shadow_acne::trace`] does, by the same functions in the same order,
 //! and takes notes. That one stays as plain as it is, and a test asserts that the two agree to
@@ -16,18 +17,18 @@ use shadow_acne::{SurfaceRay, from_surface, untracked};
 use shadows::{Interaction, PointLight, Scene};
 
 // ANCHOR: explained
-/// A ray, and what came of it.
+/// A ray, its outcome, and the radiance along it.
 #[derive(Clone, Debug)]
 pub struct Explained<'a> {
     /// The ray.
     pub ray: Ray,
-    /// How it came about.
+    /// Its kind.
     pub kind: RayKind,
     /// The fraction of its radiance that the ray before it receives; the camera's ray has 1.
     pub weight: f32,
     /// The fraction of its radiance that the pixel receives.
     pub throughput: f32,
-    /// What became of it.
+    /// Its outcome.
     pub outcome: Outcome<'a>,
     /// The radiance along it, linear.
     pub radiance: Vec3,
@@ -36,7 +37,7 @@ pub struct Explained<'a> {
     pub rays: u64,
 }
 
-/// How a ray comes about.
+/// The kind of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RayKind {
     /// The camera casts it.
@@ -47,7 +48,7 @@ pub enum RayKind {
     Transmitted,
 }
 
-/// What becomes of a ray.
+/// The outcome of a ray.
 #[derive(Clone, Debug)]
 pub enum Outcome<'a> {
     /// It hits an object.
@@ -63,25 +64,25 @@ pub enum Outcome<'a> {
 pub struct SurfaceHit<'a> {
     /// The object.
     pub object: &'a Object<Material>,
-    /// Where the ray hits it.
+    /// The hit.
     pub at: Interaction,
     /// The radiance by shading alone: ambient light, and that of the visible lights.
     pub local: Vec3,
-    /// Every light of the scene, in its order, and whether it lights the point.
+    /// Every light of the scene, in order, and its visibility from the point.
     pub lights: Vec<(&'a PointLight, Visibility<'a>)>,
     /// The reflected and the transmitted ray, if there are such rays, traced or not.
     pub secondary: Vec<Explained<'a>>,
 }
 
-/// Whether a light lights a point.
+/// The visibility of a light from a point.
 #[derive(Clone, Copy, Debug)]
 pub enum Visibility<'a> {
-    /// Nothing is between the two.
+    /// No object is between the two.
     Visible,
     /// This object is between the two, where the shadow ray hits it: the first such object in
     /// the scene's list.
     Occluded(&'a Object<Material>, Vec3),
-    /// The light is behind the surface. No shadow ray is traced.
+    /// The light is behind the surface; no shadow ray is traced.
     BelowHorizon,
     /// The surface would reflect none of its light along the ray. No shadow ray is traced.
     NoContribution,
@@ -147,8 +148,8 @@ fn trace<'a>(
     let object = &scene.objects[at.index];
     let Material { phong, optics } = &object.material;
 
-    // What is known of a light unless shading asks for its visibility.
-    let unasked = |light: &'a PointLight| {
+    // The visibility of a light towards which shading traces no ray.
+    let untraced = |light: &'a PointLight| {
         let is_behind = at.normal.dot(light.position - at.point) < 0.0;
         let visibility = if is_behind {
             Visibility::BelowHorizon
@@ -157,7 +158,7 @@ fn trace<'a>(
         };
         (light, visibility)
     };
-    let mut lights: Vec<_> = scene.lights.iter().map(unasked).collect();
+    let mut lights: Vec<_> = scene.lights.iter().map(untraced).collect();
     let local = shade(phong, &at, &scene.lights, |light, to_light, distance| {
         let shadow_ray = from_surface(&object.shape, &at, to_light);
         let seen = visibility(scene, &shadow_ray, distance);
@@ -194,7 +195,7 @@ fn trace<'a>(
 }
 // ANCHOR_END: trace
 
-/// Returns whether a shadow ray arrives at its light, and if not, what occludes the light.
+/// Returns the visibility of the light that a shadow ray points to, `distance` away.
 fn visibility<'a>(
     scene: &'a Scene<Material>,
     shadow_ray: &SurfaceRay,

@@ -13,7 +13,8 @@ use std::convert::Infallible;
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 type Colour = (u8, u8, u8);
 
-/// Each is visible on the others, and with its dark outline on any picture.
+/// The colours of the path. Each is visible on the others, and with its dark outline on any
+/// picture.
 const CAMERA: Colour = (255, 255, 255);
 const REFLECTED: Colour = (255, 90, 230);
 const TRANSMITTED: Colour = (60, 235, 255);
@@ -22,7 +23,7 @@ const OCCLUDED: Colour = (235, 60, 40);
 const OUTLINE: Colour = (0, 0, 0);
 
 // ANCHOR: projection
-/// From the world to the picture.
+/// The projection of the world onto the picture.
 struct Projection<'a> {
     camera: &'a Camera,
     size: UVec2,
@@ -35,7 +36,7 @@ impl Projection<'_> {
         self.direction(point.as_dvec3() - self.camera.eye.as_dvec3())
     }
 
-    /// Returns the same for the point that is infinitely far away in a direction.
+    /// Returns the point that is infinitely far away in a direction, in the same axes.
     fn direction(&self, v: DVec3) -> DVec3 {
         let camera = self.camera;
         let axes = [camera.right, camera.up, camera.forward];
@@ -50,10 +51,11 @@ impl Projection<'_> {
     /// Returns the pixels at the ends of the part of the line between two such points that is
     /// in the picture; `None` if there is none, or if a point is in the eye or not finite.
     ///
-    /// A point times any positive number is at the same place of the picture. So all points
-    /// are brought to a length of 1 first, and infinitely far is not far.
+    /// A point times any positive number projects to the same point of the picture. So all
+    /// points are scaled to a length of 1 first, and those infinitely far away are no
+    /// exception.
     fn clip(&self, from: DVec3, to: DVec3) -> Option<[Coord; 2]> {
-        /// Keeps the line from the eye, which is at no place of the picture.
+        /// Keeps the line away from the eye, which has no projection.
         const NEAREST: f64 = 1e-6;
         let sides: [fn(DVec3) -> f64; 5] = [
             |p| p.z - NEAREST,
@@ -65,11 +67,11 @@ impl Projection<'_> {
         let mut ends = [from.try_normalize()?, to.try_normalize()?];
         for side in sides {
             let [a, b] = ends.map(side);
-            let border = ends[0].lerp(ends[1], a / (a - b));
+            let crossing = ends[0].lerp(ends[1], a / (a - b));
             match (a >= 0.0, b >= 0.0) {
                 (true, true) => {}
-                (true, false) => ends[1] = border,
-                (false, true) => ends[0] = border,
+                (true, false) => ends[1] = crossing,
+                (false, true) => ends[0] = crossing,
                 (false, false) => return None,
             }
         }
@@ -116,7 +118,7 @@ impl Recorder<'_> {
             Outcome::Background => (self.projection.direction(direction), None),
             Outcome::NotTraced => return Ok(()),
         };
-        // A thousandth of the light is not nothing: it shows by a sixth.
+        // The fourth root: a thousandth of the light still has an opacity of a sixth.
         let alpha = f64::from(ray.throughput).sqrt().sqrt();
         let colour = match ray.kind {
             RayKind::Camera => CAMERA,
@@ -209,7 +211,7 @@ pub struct Overlay(Vec<(usize, Layer, BackendColor)>);
 impl Overlay {
     /// Returns the path as `camera` sees it in a picture of `size` pixels.
     ///
-    /// What is hidden is drawn, too. A ray of low throughput is faint, and the first ray ends
+    /// Hidden parts are drawn, too. A ray of low throughput is faint, and the first ray ends
     /// in a ring. Seen by its own camera, that ray is a point; seen by another, it is a line.
     #[must_use]
     pub fn new(explained: &Explained, camera: &Camera, size: UVec2) -> Self {
@@ -239,7 +241,7 @@ impl Overlay {
             let Some(levels) = levels.get_mut(index - start) else {
                 return;
             };
-            // In 256ths; 255 of them are as good as all.
+            // In 256ths; 255 of them count as opaque.
             let alpha = match (256.0 * alpha) as u8 {
                 255 => 256,
                 alpha => i32::from(alpha),

@@ -1,4 +1,4 @@
-//! Where the camera of the walk is, where it looks, and how it moves.
+//! The pose of the walk's camera, and how it moves.
 
 use glam::{Vec2, Vec3};
 use ray_casting::Camera;
@@ -25,7 +25,7 @@ pub const FOCAL_LENGTHS: [f32; 2] = [0.25, 16.0];
 const MAX_PITCH_SIN: f32 = 0.99;
 
 impl CameraPose {
-    /// Where the book's camera stands, in front of the still life.
+    /// The pose of the still life's camera in the book.
     pub const START: Self = Self {
         eye: Vec3::new(0.0, 2.0, -7.0),
         forward: Vec3::new(0.0, -1.1, 7.0),
@@ -69,7 +69,7 @@ impl CameraPose {
     pub fn moved(self, steps: Vec3) -> Self {
         let right = self.camera().right;
         let ahead = right.cross(Vec3::Y);
-        // One by one: what cannot go on ahead can still go aside.
+        // One by one: a step ahead that is not taken does not prevent one to the side.
         let steps = [steps.x * right, steps.y * Vec3::Y, steps.z * ahead];
         steps.into_iter().fold(self, |pose, step| {
             Self::new(pose.eye + step, self.forward, self.focal_length).unwrap_or(pose)
@@ -125,10 +125,10 @@ impl FromStr for CameraPose {
     }
 }
 
-/// Why there is no such pose.
+/// The reason why there is no such pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PoseError {
-    /// It is not seven numbers with commas between them.
+    /// The text is not seven numbers with commas between them.
     Syntax,
     /// The eye is too far away.
     Eye,

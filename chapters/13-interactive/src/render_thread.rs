@@ -12,24 +12,25 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 // ANCHOR: request
-/// What to render.
+/// A request to render a view.
 #[derive(Clone, Copy, PartialEq)]
 pub struct RenderRequest {
-    /// Where the camera is.
+    /// The camera's pose.
     pub pose: CameraPose,
-    /// What it shows.
+    /// The view.
     pub view: &'static WalkView,
     /// The setting of the view's knob.
     pub setting: f32,
     /// The size of the whole picture, in pixels.
     pub size: UVec2,
-    /// Whether the next request is only a moment away: then one coarse frame is enough.
+    /// Whether the camera is moving: then the next request follows at once, and one coarse
+    /// frame is enough.
     pub is_moving: bool,
 }
 
 /// A rendered frame.
 pub struct Frame {
-    /// What was requested.
+    /// The request.
     pub request: RenderRequest,
     /// The frame, of the size that [`size_at_lod`] returns.
     pub canvas: Canvas,
@@ -70,7 +71,7 @@ pub struct RenderThread {
     shared: Arc<Shared>,
 }
 
-/// What window and render thread share.
+/// The state that the window and the render thread share.
 #[derive(Default)]
 struct Shared {
     /// The number of requests so far. Samples for an earlier one are abandoned.
@@ -144,8 +145,8 @@ impl Shared {
                 });
             };
 
-            // Whatever is requested meanwhile, this frame is finished: while requests follow
-            // each other, there is no other to see.
+            // This frame is finished even if there is a newer request: while requests follow
+            // each other, no other frame is shown.
             let start = Instant::now();
             let coarse = view.preview(camera, setting);
             let canvas = Canvas::render(&coarse, size_at_lod(size, lod));
@@ -176,7 +177,8 @@ impl Shared {
         self.generation.load(Ordering::Relaxed) == generation
     }
 
-    /// Returns `picture`, abandoned when there is a newer request: the rest of it is black.
+    /// Returns `picture`, abandoned when there is a newer request: its remaining spans are
+    /// black.
     fn while_latest(self: Arc<Self>, generation: u64, picture: Picture) -> Picture {
         Picture::from_spans(move |first, span| {
             if self.is_latest(generation) {
@@ -185,7 +187,7 @@ impl Shared {
         })
     }
 
-    /// The frame is whole even after a panic: it is only ever replaced.
+    /// Locks the frame, which is whole even after a panic: it is only ever replaced.
     fn frame(&self) -> MutexGuard<'_, Option<Frame>> {
         self.frame.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -5,7 +5,7 @@ use interactive::{RenderRequest, STAGE};
 use preview::{Error, save_with_text};
 use std::path::{Path, PathBuf};
 
-/// Saves a picture as a PNG whose text `Command` is that of [`command`].
+/// Saves a picture as a PNG that holds its [`command`] as the text `Command`.
 ///
 /// # Errors
 /// If it cannot be saved. Nothing is then left behind.

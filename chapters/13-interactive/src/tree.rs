@@ -1,4 +1,4 @@
-//! An explained ray in words: a tree, for the terminal.
+//! An explained ray as a tree of text, for the terminal.
 
 use crate::explain::{Explained, Outcome, RayKind, SurfaceHit, Visibility};
 use glam::Vec3;

@@ -67,7 +67,7 @@ macro_rules! walk_view {
     }};
 }
 
-/// All views. A digit's key shows the one at its place.
+/// All views; the key of a digit n shows the n-th.
 const VIEWS: [WalkView; 11] = [
     walk_view!(
         "ray-casting",
@@ -186,7 +186,7 @@ impl WalkView {
     }
 }
 
-/// A view is known by its name.
+/// Views are equal if their names are.
 impl PartialEq for WalkView {
     fn eq(&self, other: &Self) -> bool {
         self.view.name == other.view.name
@@ -201,7 +201,7 @@ fn still_life(camera: Camera, n: f32) -> Picture {
     })
 }
 
-/// Returns the i-th of these samples of every pixel.
+/// Returns the picture of the i-th of these samples of every pixel.
 fn still_life_sample(camera: Camera, n: u32, i: u32) -> Picture {
     let scene = still_life_with_glass(GLASS, AIR);
     Picture::from_spans(move |first, span| {

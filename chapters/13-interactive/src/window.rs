@@ -11,7 +11,7 @@ use minifb::{Key, KeyRepeat, MouseButton, MouseMode, ScaleMode, Window, WindowOp
 use preview::{digit, print_error, print_line, size_on_screen};
 use std::time::{Duration, Instant};
 
-/// How many times a second keys and mouse are looked at, and the window is redrawn at most.
+/// How many times a second keys and mouse are read, and the window is redrawn at most.
 const TARGET_FPS: usize = 60;
 
 /// The speed of a walk, in units of the scene per second.
@@ -68,14 +68,14 @@ pub fn open(request: RenderRequest, target: Duration) -> minifb::Result<()> {
     Ok(())
 }
 
-/// A button held down on the picture: where the pointer was first and last.
+/// A button held down on the picture, with the first and the last position of the pointer.
 struct Press {
     start: Vec2,
     last: Vec2,
     is_drag: bool,
 }
 
-/// What the window shows, and what has been asked of it.
+/// The state of the window.
 struct Walk {
     render_thread: RenderThread,
     request: RenderRequest,
@@ -113,7 +113,7 @@ impl Walk {
         }
     }
 
-    /// The place of the requested view.
+    /// Returns the index of the requested view.
     fn index(&self) -> usize {
         let mut views = WalkView::ALL.iter();
         let index = views.position(|view| view == self.request.view);
@@ -129,7 +129,7 @@ impl Walk {
         self.show_frame();
     }
 
-    /// Does what keys, mouse and window ask for; `passed` is the time since the last call.
+    /// Handles keys, mouse and the window's size; `passed` is the time since the last call.
     fn handle_input(&mut self, window: &Window, passed: Duration) {
         for key in window.get_keys_pressed(KeyRepeat::No) {
             match key {
@@ -180,7 +180,8 @@ impl Walk {
             f32::from(window.is_key_down(more)) - f32::from(window.is_key_down(less))
         }));
         if steps != Vec3::ZERO {
-            // After a pause, such as a window that was moved, no leap.
+            // After a pause, such as one while the window is moved, the camera must not
+            // leap.
             let seconds = passed.min(Duration::from_millis(100)).as_secs_f32();
             request.pose = request.pose.moved(SPEED * seconds * steps.normalize());
         }
@@ -253,7 +254,7 @@ impl Walk {
         }
     }
 
-    /// Brings the frame to the screen, and the path of the explained ray over it.
+    /// Copies the frame to the screen, and draws the path of the explained ray over it.
     fn show_frame(&mut self) {
         let Some(frame) = &self.frame else { return };
         let (request, size) = (&frame.request, frame.request.size);
@@ -291,7 +292,7 @@ impl Walk {
         self.update_title(Some(&news));
     }
 
-    /// Puts what is shown, what it cost and any `news` into the title.
+    /// Puts the view, its cost and any `news` into the title.
     fn update_title(&mut self, news: Option<&str>) {
         let Some(frame) = &self.frame else { return };
         let UVec2 { x, y } = frame.canvas.size;

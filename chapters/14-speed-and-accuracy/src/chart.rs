@@ -1,4 +1,5 @@
-//! What a chart shows of a study's table: its lines, their styles, and the Pareto front.
+//! The contents of a chart of a study's table: its lines, their styles, and the Pareto
+//! front.
 
 use crate::table::{Measurement, Table};
 use std::collections::BTreeMap;
@@ -6,7 +7,7 @@ use std::collections::BTreeMap;
 // ANCHOR: chart
 /// One chart: two quantities against each other, on logarithmic axes.
 pub struct Chart {
-    /// What to see in it.
+    /// Its title: what to see in it.
     pub title: &'static str,
     /// The scene whose measurements it shows.
     pub scene: &'static str,
@@ -16,7 +17,7 @@ pub struct Chart {
     pub y: Axis,
 }
 
-/// A quantity, and what the study calls it, with its unit.
+/// A quantity, and its label with the unit.
 pub type Axis = (Quantity, &'static str);
 
 /// A column of numbers in a study's table, as [`Measurement`] explains it.
@@ -50,7 +51,7 @@ impl Quantity {
 /// A point of a chart: x and y.
 pub type Point = (f64, f64);
 
-/// What a chart shows of one method.
+/// The line of one method in a chart.
 pub struct Line<'a> {
     /// The method's name.
     pub method: &'a str,
@@ -98,7 +99,8 @@ impl Chart {
 }
 
 // ANCHOR: front
-/// Returns the points that no other beats in both x and y, from the left.
+/// Returns the Pareto front, from the left: the points that no other dominates in both x
+/// and y.
 #[must_use]
 pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
     let mut points: Vec<Point> = points.into_iter().collect();
@@ -113,8 +115,8 @@ pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
 }
 // ANCHOR_END: front
 
-/// Returns a number for each method, that of its colour and mark: the same in all charts,
-/// and another than that of any method that stands beside it in one of them.
+/// Returns the number of each method's colour and mark: the same in all charts, and
+/// different for two methods of the same chart.
 #[must_use]
 pub fn styles<'a>(charts: &[Chart], table: &'a Table) -> BTreeMap<&'a str, usize> {
     let methods = |chart: &Chart| {

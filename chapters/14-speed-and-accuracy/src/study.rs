@@ -1,4 +1,4 @@
-//! What a study is, and how it measures.
+//! Studies, and how they measure.
 
 use crate::chart::Chart;
 use crate::table::{Measurement, Table};
@@ -86,7 +86,7 @@ impl Measurement {
 }
 
 // ANCHOR: clock
-/// Measures times, or does not: a test wants the errors alone.
+/// A clock for the times of jobs. Tests stop it, as they compare the errors alone.
 pub struct Clock {
     rounds: u32,
     time: Duration,
@@ -99,18 +99,18 @@ impl Clock {
         time: Duration::ZERO,
     };
 
-    /// A clock that runs every job 25 times at least, and for longer than a machine is busy
-    /// with something else.
+    /// A clock that runs every job at least 25 times, and for long enough to outlast other
+    /// work of the machine.
     pub const RUNNING: Self = Self {
         rounds: 25,
         time: Duration::from_millis(300),
     };
 
-    /// Returns how long each job takes, in nanoseconds for each of its `calls`: the least of
-    /// some rounds.
+    /// Returns the time of each job in nanoseconds per call, of which it makes `calls`: the
+    /// minimum of several rounds.
     ///
-    /// Whatever else the machine does can only make a job slower, so the least is nearest
-    /// to the truth; and the jobs take turns, so that a slow minute is slow for all of them.
+    /// Other work of the machine can only make a job slower, so the minimum is nearest to
+    /// the truth. The jobs take turns, so that a slow minute is slow for all of them.
     #[must_use]
     pub fn min_of_rounds<'a>(
         &self,
@@ -136,11 +136,11 @@ impl Clock {
     }
 }
 
-/// Something to be timed.
+/// A job to be timed.
 pub type Job<'a> = Box<dyn FnMut() + 'a>;
 
-/// Returns a job that calls a function of each input, and hides from the compiler that
-/// nobody wants the answers.
+/// Returns a job that calls a function of each input, and hides from the compiler that the
+/// results are not used.
 pub fn each<'a, T, A>(inputs: &'a [T], call: impl Fn(&T) -> A + 'a) -> Job<'a> {
     Box::new(move || {
         for input in inputs {
@@ -151,7 +151,7 @@ pub fn each<'a, T, A>(inputs: &'a [T], call: impl Fn(&T) -> A + 'a) -> Job<'a> {
 // ANCHOR_END: clock
 
 // ANCHOR: compare
-/// How an answer compares with the right one.
+/// The comparison of a method's result with the exact one.
 pub enum Verdict {
     /// Absolute error. A non-finite error also counts as a wrong decision.
     Error(f64),
@@ -168,31 +168,32 @@ impl Verdict {
         if is_right { Self::Right } else { Self::Wrong }
     }
 
-    /// Returns the error of an answer.
+    /// Returns the difference of a result from the exact one, as its error.
     #[must_use]
-    pub fn difference(answer: f32, exact: f64) -> Self {
-        Self::Error(f64::from(answer) - exact)
+    pub fn difference(result: f32, exact: f64) -> Self {
+        Self::Error(f64::from(result) - exact)
     }
 
-    /// Returns the error in ulps: in distances from the exact answer's f32 to the next.
+    /// Returns the error in ulps: in distances from the exact result's f32 to the next.
     #[must_use]
-    pub fn in_ulps(answer: f32, exact: f64) -> Self {
+    pub fn in_ulps(result: f32, exact: f64) -> Self {
         let nearest = exact.abs() as f32;
         let ulp = f64::from(nearest.next_up()) - f64::from(nearest);
-        Self::Error((f64::from(answer) - exact) / ulp)
+        Self::Error((f64::from(result) - exact) / ulp)
     }
 }
 
-/// Tries each of the named `methods` on inputs that come with the right answers, and has
-/// each answer judged: by the input, the right answer, and the method's.
+/// Returns a row of measurements for each of the named `methods`, called with inputs that
+/// come with their exact results. `verdict` compares: from the input, the exact result and
+/// the method's.
 ///
-/// Where all verdicts are finite errors, the row says nothing about decisions.
+/// If all verdicts are finite errors, the row has no percentage of wrong decisions.
 pub fn compare<T, R, A, F>(
     clock: &Clock,
     (scene, setting): (&str, f64),
     inputs: &[(T, R)],
     methods: &[(&str, F)],
-    judge: impl Fn(&T, &R, A) -> Verdict,
+    verdict: impl Fn(&T, &R, A) -> Verdict,
 ) -> Vec<Measurement>
 where
     F: Fn(&T) -> A + Copy,
@@ -202,7 +203,7 @@ where
     let row = |(&(name, method), ns): (&(&str, F), Option<f64>)| {
         let (mut errors, mut right, mut wrong) = (Vec::new(), 0_usize, 0_usize);
         for (input, exact) in inputs {
-            match judge(input, exact, method(input)) {
+            match verdict(input, exact, method(input)) {
                 Verdict::Error(error) => {
                     wrong += usize::from(!error.is_finite());
                     errors.push(error);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use std::io;
 
 // ANCHOR: measurement
-/// What one method at one setting costs, and how wrong it is, in the study's units.
+/// The cost and the errors of one method at one setting, in the study's units.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// The scene or the set of inputs.

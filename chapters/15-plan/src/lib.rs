@@ -1,5 +1,6 @@
 // ANCHOR: head
-//! No more than a picture needs: how far rays are followed, and how many a pixel takes.
+//! An adaptive renderer, which decides how far rays are followed, and how many a pixel
+//! takes.
 
 mod plan;
 mod sample;

@@ -1,4 +1,4 @@
-//! What a plan knows of a scene: how much light its rays can bring.
+//! A plan for a scene: its tolerance, and the largest radiance along any ray.
 
 use canvas::{decode, encode};
 use glam::{Vec2, Vec3};

@@ -36,7 +36,7 @@ const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel");
 const ERROR: Axis = (Quantity::Rms, "RMS error, in levels");
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
-    // Of mirrors that reflect 0.99 even a small reference takes a billion rays.
+    // Of mirrors that reflect 0.99, even a small reference takes a billion rays.
     let scenes = SCENES
         .iter()
         .filter(|scene| scene.name != "endless-mirrors");
@@ -78,12 +78,12 @@ fn compare(clock: &Clock, scene: &BookScene) -> Vec<Measurement> {
     for n in [1, 2, 4, 8, 12, 16, 20, 24, 28, 32] {
         let picture = sampled(regular, n, PathBudget::new(MAX_DEPTH));
         rows.push(measured("n × n, depth 64", n.into(), picture));
-        // What costs more than ten times as much as the first plan says no more.
+        // Settings that cost more than ten times as much as the first plan are left out.
         if rows[rows.len() - 1].0.work > rows[0].0.work.map(|rays| 10.0 * rays) {
             break;
         }
     }
-    // Some pixels from everywhere: 53 has no factor in common with a width.
+    // Pixels from all over the picture: 53 has no factor in common with a width.
     let pixels: Vec<Pixel> = Pixel::all(size).step_by(53).collect();
     let jobs = rows
         .iter()

@@ -13,7 +13,7 @@ use shadows::PointLight;
 use transparency::{path_length_inside, transmittance};
 
 // ANCHOR: sample
-/// What a camera ray sees.
+/// A sample of a pixel: the result of a camera ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// The radiance along the ray.

@@ -67,7 +67,7 @@ fn parse_png_path(path: PathBuf) -> Result<PathBuf, Error> {
     }
 }
 
-/// The picture that the arguments of [`command`] ask for.
+/// The picture that the arguments of [`command`] request.
 pub struct RenderArgs {
     /// The view.
     pub view: &'static View,

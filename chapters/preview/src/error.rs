@@ -1,4 +1,4 @@
-//! Why a program did not do what it was asked to.
+//! The errors of a chapter's program.
 
 use crate::terminal::print_error;
 use std::fmt::{self, Display};
@@ -6,12 +6,12 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Why a program did not do what it was asked to.
+/// An error of a chapter's program.
 ///
-/// Its `Display` is one line, which says what is wrong and what would be right.
+/// Its `Display` is one line: what is wrong, and what would be right.
 #[derive(Debug)]
 pub enum Error {
-    /// The arguments make no sense.
+    /// The arguments are invalid.
     Usage(clap::Error),
     /// The folder of the file `path` does not exist.
     NoFolder {
@@ -96,8 +96,8 @@ impl From<clap::Error> for Error {
     }
 }
 
-/// Prints the error, if there is one, and returns the exit code that the program ends
-/// with: 0 for success, 2 for arguments that make no sense, 1 for other errors.
+/// Prints the error, if there is one, and returns the program's exit code: 0 for success, 2
+/// for invalid arguments, 1 for other errors.
 #[must_use]
 pub fn exit_code(result: Result<(), Error>) -> ExitCode {
     let Err(error) = result else {

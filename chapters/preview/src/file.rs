@@ -9,8 +9,8 @@ use std::path::Path;
 /// Checks that a file can be saved at `path`, as far as can be known before it is made.
 ///
 /// # Errors
-/// If the folder does not exist, or if `path` is that of a folder, of what is no regular
-/// file, or of a read-only file.
+/// If the folder does not exist, or if `path` is a folder, a device or pipe, or a read-only
+/// file.
 pub fn check_destination(path: &Path) -> Result<(), Error> {
     let folder = folder_of(path);
     if !folder.is_dir() {
@@ -82,7 +82,8 @@ fn encode_png(
 
 /// Writes a file at `path`, through a temporary file in the same folder.
 ///
-/// What is already there is replaced whole, and only if all of the new could be written.
+/// A file that is already there is replaced whole, and only once all of the new one is
+/// written.
 ///
 /// # Errors
 /// Those of [`check_destination`], and [`Error::Write`]. Nothing is then left behind.

@@ -1,5 +1,4 @@
-//! What a chapter's program has around its pictures: a window, a command line, and what
-//! saves files.
+//! The window, the command line and the files of a chapter's program.
 
 mod command_line;
 mod error;

@@ -1,4 +1,4 @@
-//! What a chapter's program does.
+//! The main function of a chapter's program.
 
 use crate::command_line::{RenderArgs, command};
 use crate::error::{Error, exit_code};
@@ -13,7 +13,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Runs a chapter: opens its window, or does what the arguments ask for.
+/// Runs a chapter's program: opens its window, or saves or lists its pictures, as the
+/// arguments request.
 ///
 /// Returns the program's [`exit_code`].
 #[must_use]
@@ -34,14 +35,13 @@ fn run_arguments(stage: &'static Stage) -> Result<(), Error> {
     )
 }
 
-/// Parses the program's arguments by a `command` that has those of [`command`], and may have
-/// more.
+/// Parses the program's arguments by a `command` that has at least those of [`command`].
 ///
-/// `None` if they ask for help, for the list of the views, or for all pictures: that is
-/// then done.
+/// `None` if they request help, the list of the views, or all pictures; these are then
+/// printed or saved.
 ///
 /// # Errors
-/// If the arguments make no sense, or a picture cannot be saved.
+/// If the arguments are invalid, or a picture cannot be saved.
 pub fn matches(stage: &Stage, command: Command) -> Result<Option<ArgMatches>, Error> {
     let matches = match command.try_get_matches() {
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
@@ -61,7 +61,7 @@ pub fn matches(stage: &Stage, command: Command) -> Result<Option<ArgMatches>, Er
     Ok(None)
 }
 
-/// Saves the picture if the arguments ask for a PNG, and opens a window otherwise.
+/// Saves the picture if the arguments request a PNG, and opens a window otherwise.
 ///
 /// If no window can be opened, a line says so, and the picture is saved in the current
 /// folder: a machine without a display still gets it.

@@ -1,5 +1,4 @@
-//! A window in a few lines of minifb, without a command line: the one that a reader
-//! writes.
+//! A window in a few lines of minifb, without a command line, for a reader to write.
 
 use canvas::Canvas;
 use minifb::{Key, Window, WindowOptions};
@@ -8,7 +7,7 @@ use minifb::{Key, Window, WindowOptions};
 /// Shows a rendered picture in a window until Escape is pressed or the window is closed.
 ///
 /// # Errors
-/// If no window can be opened, for want of a display, say.
+/// If no window can be opened, for example without a display.
 pub fn show(canvas: &Canvas, title: &str) -> minifb::Result<()> {
     let [width, height] = canvas.size.to_array().map(|side| side as usize);
     let mut window = Window::new(title, width, height, WindowOptions::default())?;

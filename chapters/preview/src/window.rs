@@ -21,7 +21,7 @@ const MAX_WINDOW_SIZE: UVec2 = UVec2::new(1280, 960);
 /// Opens a window that shows a view of `stage`, and returns when it is closed.
 ///
 /// # Errors
-/// If no window can be opened, for want of a display, say.
+/// If no window can be opened, for example without a display.
 pub fn open(stage: &'static Stage, args: &RenderArgs) -> minifb::Result<()> {
     let options = WindowOptions {
         resize: true,

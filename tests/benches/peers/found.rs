@@ -25,7 +25,7 @@ impl Peers {
     ///
     /// # Errors
     /// If the source is not where it is said to be.
-    pub fn look(folder: &str, path: &OsStr) -> Result<Self, NoSource> {
+    pub fn find(folder: &str, path: &OsStr) -> Result<Self, NoSource> {
         let mut missing = Vec::new();
         let mut find = |program: &str, peer: &str| {
             let mut files =

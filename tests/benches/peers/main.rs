@@ -81,7 +81,7 @@ fn run(arguments: &[String]) -> Result<(), Error> {
 
 fn race(folder: &str) -> Result<(), Error> {
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let peers = Peers::look(folder, &path);
+    let peers = Peers::find(folder, &path);
     let peers = peers.map_err(|error| Error::Usage(error.to_string()))?;
     common::check_release()?;
     peers.missing.iter().for_each(|line| print_line(line));

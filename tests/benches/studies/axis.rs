@@ -43,7 +43,7 @@ impl Axis {
 
     /// Returns where a value is drawn: at an end if it is beyond it, 0 or infinite.
     #[must_use]
-    pub fn place(&self, value: f64) -> f64 {
+    pub fn position(&self, value: f64) -> f64 {
         let ([from, to], [start, end]) = (self.logarithms, self.ends);
         let part = ((libm::log10(value) - from) / (to - from)).clamp(0.0, 1.0);
         start + part * (end - start)
@@ -84,7 +84,7 @@ impl Axis {
         for (digit, decade) in ticks {
             let value: f64 = format!("{digit}e{decade}").parse().expect("a number");
             if (from..=to).contains(&libm::log10(value)) {
-                shown.push((label(value, digit, decade), self.place(value)));
+                shown.push((label(value, digit, decade), self.position(value)));
             }
         }
         shown

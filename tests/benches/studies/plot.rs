@@ -72,9 +72,9 @@ fn draw(
     let (xs, ys): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
     let (x, y) = (Axis::new(&xs, COLUMNS), Axis::new(&ys, ROWS));
     draw_frame(svg, chart, &x, &y);
-    let place = |(right, up): Point| (x.place(right), y.place(up));
+    let position = |(right, up): Point| (x.position(right), y.position(up));
     if chart.show_pareto_front() {
-        let front: Vec<Point> = pareto_front(points).into_iter().map(place).collect();
+        let front: Vec<Point> = pareto_front(points).into_iter().map(position).collect();
         // To the right until the next point is as cheap, then down to it.
         let corners = front
             .windows(2)
@@ -87,15 +87,17 @@ fn draw(
     let mut names = Vec::new();
     for line in lines {
         let (colour, mark) = style(line.method);
-        let places: Vec<Point> = line.points.iter().copied().map(place).collect();
-        let marks = places.iter().map(|&(x, y)| format!("M{x:.1} {y:.1}{mark}"));
+        let positions: Vec<Point> = line.points.iter().copied().map(position).collect();
+        let marks = positions
+            .iter()
+            .map(|&(x, y)| format!("M{x:.1} {y:.1}{mark}"));
         svg.push(format!(
             "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>\n\
              <path d=\"{}\" fill=\"{colour}\"/>",
-            path(places.iter().copied()),
+            path(positions.iter().copied()),
             marks.collect::<String>(),
         ));
-        let rightmost = places.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        let rightmost = positions.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
         names.extend(rightmost.map(|end| (end, line.method)));
     }
     names.sort_by(|((_, a), _), ((_, b), _)| a.total_cmp(b));

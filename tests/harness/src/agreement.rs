@@ -15,8 +15,8 @@ use glam::{DVec2, DVec3, UVec2};
 use oracle::{Camera, Limit, Ray, Scene};
 use rayon::prelude::*;
 
-/// Much farther than the chapters follow a ray, which is for 64 bounces and down to a
-/// throughput of 1/2048: what they leave out counts as a difference, too.
+/// A limit far beyond that of the chapters, which is 64 bounces and a throughput of 1/2048:
+/// rays that they do not trace count as a difference, too.
 const DEEP: Limit = Limit {
     bounces: 200,
     min_throughput: 1e-6,

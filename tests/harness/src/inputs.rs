@@ -1,12 +1,12 @@
-//! Inputs for the properties, and how many of them.
+//! Inputs for the property tests, and their number.
 
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::ops::Range;
 
-/// Returns a property's settings: this number of cases, the same on every run, and no file
-/// written when one fails.
+/// Returns the configuration of a property test: this number of cases, the same on every
+/// run, and no file written when one fails.
 #[must_use]
 pub fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig {

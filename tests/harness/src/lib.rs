@@ -1,5 +1,5 @@
-//! What the tests of all chapters share. It knows no chapter but the canvas, so that a
-//! fault in a chapter stops no earlier one's tests.
+//! Helpers for the tests of all chapters. The harness depends on no chapter but the canvas,
+//! so that an error in a chapter stops no earlier one's tests.
 
 pub mod agreement;
 mod inputs;

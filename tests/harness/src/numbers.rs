@@ -36,7 +36,7 @@ impl Numbers {
 /// Returns a fraction as a percentage with three digits.
 #[must_use]
 pub fn percent(part: usize, whole: usize) -> String {
-    // With a space at which no line breaks.
+    // The space is one at which no line breaks.
     format!(
         "{}\u{a0}%",
         three_digits(100.0 * part as f64 / whole as f64)

@@ -9,14 +9,14 @@ pub const HERO: UVec2 = UVec2::new(800, 600);
 /// The size of its other pictures.
 pub const SMALL: UVec2 = UVec2::new(320, 240);
 
-/// Renders a view at its default setting.
+/// Returns the canvas of a view at its default setting.
 #[must_use]
 pub fn render(stage: &Stage, view: &str, size: UVec2) -> Canvas {
     let view = stage.view(view).expect("a view of the stage");
     Canvas::render(&(view.picture)(view.default_setting()), size)
 }
 
-/// Renders a view at some setting of its knob.
+/// Returns the canvas of a view at some setting of its knob.
 #[must_use]
 pub fn render_at(stage: &Stage, view: &str, setting: f32, size: UVec2) -> Canvas {
     let view = stage.view(view).expect("a view of the stage");
@@ -37,7 +37,7 @@ pub fn largest_difference(a: &Canvas, b: &Canvas) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// Returns a chapter's number, as the book counts them: `chapter 10`.
+/// Returns `chapter` and the chapter's number in the book.
 #[must_use]
 pub fn chapter(stage: &Stage) -> String {
     let number: u32 = stage.name[..2]
@@ -56,7 +56,7 @@ pub fn ray_counts<'a>(stage: &Stage, views: impl IntoIterator<Item = &'a str>) -
     }))
 }
 
-/// Renders a chapter's first view on 1, 2 and 7 threads.
+/// Compares renderings of a chapter's first view on 1, 2 and 7 threads.
 ///
 /// # Panics
 /// If the bits differ, or the number of rays.

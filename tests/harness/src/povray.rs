@@ -1,5 +1,5 @@
-//! The still life with its ball of glass against POV-Ray's: the same model by a renderer
-//! that others wrote, in f64.
+//! The still life with its ball of glass against POV-Ray's picture of the same model, by an
+//! independent renderer in f64.
 //!
 //! `tests/povray` holds its scene, its pictures and the script that made them.
 
@@ -18,12 +18,12 @@ fn theirs(depth: u32) -> Vec<DVec3> {
     picture.pixels().map(|pixel| levels(pixel).into()).collect()
 }
 
-/// Compares pictures, given the number of bounces, with POV-Ray's.
+/// Compares pictures, which `ours` returns for a number of bounces, with POV-Ray's.
 ///
-/// The rays must be followed whatever their throughput, and what is beyond the last bounce
-/// must be black. The differences are at edges and next to the horizon: 0.05 linear level in
-/// the mean, and more than one level in 0.25 % of the pixels at most. With a constant in
-/// place of Fresnel's reflectance the mean is 0.26, with the half vector in place of Phong's
+/// The rays must be followed at any throughput, and rays beyond the last bounce must be
+/// black. The differences are at edges and next to the horizon: 0.05 linear level in the
+/// mean, and more than one level in 0.25 % of the pixels at most. With a constant in place
+/// of Fresnel's reflectance the mean is 0.26, with the half vector in place of Phong's
 /// mirror direction 0.39.
 ///
 /// # Panics
@@ -38,15 +38,15 @@ pub fn assert_picture(name: &str, ours: impl Fn(u32) -> Picture) {
     });
 }
 
-/// Compares the radiance of an 800 × 600 picture's pixels, given the number of bounces, with
-/// POV-Ray's.
+/// Compares the radiance of an 800 × 600 picture's pixels, which `ours` returns for a number
+/// of bounces, with POV-Ray's.
 ///
 /// # Panics
-/// If the mean difference is more than `mean_bar` linear levels, or if more than
-/// `fraction_bar` of the pixels are more than one level apart.
+/// If the mean difference is more than `max_mean` linear levels, or if more than
+/// `max_fraction` of the pixels are more than one level apart.
 pub fn assert_radiance(
     name: &str,
-    [mean_bar, fraction_bar]: [f64; 2],
+    [max_mean, max_fraction]: [f64; 2],
     ours: impl Fn(u32) -> Vec<DVec3>,
 ) {
     // Its depths include the camera ray.
@@ -66,12 +66,12 @@ pub fn assert_radiance(
             .filter(|levels| levels.max_element() > 1.0);
         let apart = apart.count();
         assert!(
-            mean <= mean_bar,
+            mean <= max_mean,
             "a mean difference of {mean} level at depth {depth}"
         );
         let fraction = percent(apart, differences.len());
         assert!(
-            apart as f64 <= fraction_bar * pixels,
+            apart as f64 <= max_fraction * pixels,
             "{fraction} of the pixels at depth {depth}"
         );
         format!("| {depth} | {} level | {fraction} |", three_digits(mean))

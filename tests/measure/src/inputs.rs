@@ -1,4 +1,4 @@
-//! Inputs of the chapters' formulas, always the same, with their exact answers.
+//! Inputs of the chapters' formulas, always the same, with their exact results.
 
 use crate::Random;
 use glam::{DVec2, DVec3, Vec3};
@@ -11,7 +11,8 @@ use sphere_hit::{Sphere, T_MAX};
 /// centre, in radii.
 pub type SphereHit = Option<(f64, f64)>;
 
-/// Returns 2000 rays from an origin to a target, which may be random.
+/// Returns 2000 rays, each from the origin to the target that `ends` returns, with their
+/// exact hits on a sphere.
 pub fn sphere_rays(
     sphere: Sphere,
     ends: impl Fn(&mut Random) -> [DVec3; 2],
@@ -44,7 +45,7 @@ pub fn from_inside(random: &mut Random) -> [DVec3; 2] {
     [origin, origin + random.direction()]
 }
 
-/// Returns the ends of a ray from a height of 1 to a place on the ground 1 to 30 away.
+/// Returns the ends of a ray from a height of 1 to a point on the ground 1 to 30 away.
 pub fn towards_the_ground(random: &mut Random) -> [DVec3; 2] {
     let along = (random.direction() * DVec3::new(1.0, 0.0, 1.0)).normalize();
     [DVec3::Y, (1.0 + 29.0 * random.f64()) * along]
@@ -54,7 +55,7 @@ pub fn towards_the_ground(random: &mut Random) -> [DVec3; 2] {
 /// is `aside` of the eye, and a ray from the eye, 1 above the plane; with the exact t.
 ///
 /// # Panics
-/// If the numbers are so large or small that f32 has no such plane.
+/// If f32 cannot represent the plane.
 pub fn plane_ray(
     random: &mut Random,
     [distance, aside, d_dot_n]: [f64; 3],
@@ -74,7 +75,7 @@ pub fn plane_ray(
 /// floor hits it, and whether its square is even.
 ///
 /// # Panics
-/// If the distance is so large that f32 has no such ray.
+/// If f32 cannot represent the ray.
 pub fn floor_point(random: &mut Random, distance: f64) -> (Vec3, bool) {
     let floor = Plane::new(Vec3::NEG_Y, Vec3::Y).expect("a plane");
     let away = distance * (0.5 + random.f64());
@@ -88,7 +89,7 @@ pub fn floor_point(random: &mut Random, distance: f64) -> (Vec3, bool) {
     (ray.at(t), (exact.x + exact.z) % 2.0 == 0.0)
 }
 
-/// A place on the unit sphere, and a direction.
+/// A position on the unit sphere, and a direction.
 pub type Corner = [DVec3; 2];
 
 /// Returns the same closed polygon in a thousand planes through the centre: a corner with a
@@ -100,11 +101,11 @@ pub fn orbits(turn: DVec2, bounces: u32) -> Vec<((Corner, u32), Corner)> {
     let orbit = |_| {
         let x = random.direction();
         let y = x.cross(random.direction()).normalize();
-        let place = |i| {
-            let place = (0..i).fold(DVec2::X, |place, _| place.rotate(turn));
-            place.x * x + place.y * y
+        let position = |i| {
+            let position = (0..i).fold(DVec2::X, |position, _| position.rotate(turn));
+            position.x * x + position.y * y
         };
-        let corner = |i| [place(i), (place(i + 1) - place(i)).normalize()];
+        let corner = |i| [position(i), (position(i + 1) - position(i)).normalize()];
         ((corner(0), bounces), corner(bounces))
     };
     (0..1000).map(orbit).collect()
@@ -127,8 +128,8 @@ pub fn refractions(
         let incident = (1.0 - cosine * cosine).sqrt() * aside - cosine * normal;
         let [incident, normal] = [incident, normal].map(|vector| vector.as_vec3());
         let unit = |vector: Vec3| vector.as_dvec3().normalize();
-        let border = Interface::new(unit(incident), unit(normal), [eta.into(), 1.0]);
-        ((incident, normal, eta), border.refracted)
+        let interface = Interface::new(unit(incident), unit(normal), [eta.into(), 1.0]);
+        ((incident, normal, eta), interface.refracted)
     };
     (0..5000).map(refraction).collect()
 }
@@ -142,8 +143,8 @@ pub fn on_a_disc(eta_i: f32, eta_t: f32) -> Vec<([f32; 3], f64)> {
         let cosine = (1.0 - f64::from(i) / 10_000.0).sqrt() as f32;
         let c = f64::from(cosine);
         let incident = DVec3::new(((1.0 - c) * (1.0 + c)).sqrt(), -c, 0.0);
-        let border = Interface::new(incident, DVec3::Y, [eta_i, eta_t].map(f64::from));
-        ([cosine, eta_i, eta_t], border.reflectance)
+        let interface = Interface::new(incident, DVec3::Y, [eta_i, eta_t].map(f64::from));
+        ([cosine, eta_i, eta_t], interface.reflectance)
     };
     (0..=10_000).map(case).collect()
 }

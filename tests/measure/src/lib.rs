@@ -1,11 +1,11 @@
-//! What tests and studies measure by: the book's scenes and their pictures, exact ones, and
-//! random numbers.
+//! Inputs and references for tests and studies: the book's scenes and their pictures, exact
+//! ones, and random numbers.
 
+pub mod bvh;
 pub mod inputs;
 pub mod pictures;
 mod random;
 pub mod random_scenes;
 pub mod scenes;
 pub mod subjects;
-pub mod tree;
 pub use random::Random;

@@ -1,4 +1,4 @@
-//! Small pictures of the book's scenes, to be measured.
+//! Small pictures of the book's scenes, for measurements.
 
 use crate::scenes::{Model, exact_camera};
 use anti_aliasing::regular;
@@ -20,7 +20,7 @@ pub fn camera_rays(camera: &Camera, size: UVec2) -> Vec<Ray> {
     Pixel::all(size).map(ray).collect()
 }
 
-/// Renders a scene with one sample per pixel, by the chapters' own tracers.
+/// Returns the canvas of a scene with one sample per pixel, by the chapters' own tracers.
 #[must_use]
 pub fn render(model: &Model, camera: Camera, size: UVec2, budget: PathBudget) -> Canvas {
     let model = model.clone();
@@ -59,7 +59,7 @@ pub fn scalar_picture(
     Picture::new(move |pixel| regular(pixel, n, &radiance))
 }
 
-/// Returns the same picture, traced in packets.
+/// Returns the picture of a scene by n × n samples per pixel, traced in packets.
 #[must_use]
 pub fn packet_picture(
     scene: Scene<Material>,
@@ -85,10 +85,10 @@ pub fn frame(picture: &Picture, size: UVec2, span: usize) -> Vec<Vec3> {
     radiance
 }
 
-/// Returns a pool of so many threads to render on.
+/// Returns a pool of this number of threads.
 ///
 /// # Panics
-/// If the system refuses them.
+/// If the system refuses to create them.
 #[must_use]
 pub fn pool(threads: usize) -> ThreadPool {
     let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);

@@ -12,7 +12,7 @@ pub struct Random {
 }
 
 impl Random {
-    /// Returns the generator of a sequence of its own.
+    /// Returns the generator of the sequence that belongs to `seed`.
     #[must_use]
     pub fn new(seed: u32) -> Self {
         let seed = hash(seed);

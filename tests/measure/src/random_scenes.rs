@@ -1,4 +1,4 @@
-//! Random scenes, ordinary and extreme ones, for all tests that need any.
+//! Random scenes, ordinary and extreme ones, for tests.
 
 use crate::Random;
 use glam::{DVec3, Vec3};
@@ -201,7 +201,7 @@ fn next_shape(centre: DVec3, radius: f64, random: &mut Random) -> Next {
         plane: Some((point, out)),
     };
     match random.index(10) {
-        // Anywhere.
+        // At any position.
         0..=2 => sphere(f64::from(random.between(0.0, 4.0)) * out, r),
         // Its centre on the surface of the one before.
         3 => sphere(centre + radius * out, r),
@@ -221,7 +221,7 @@ fn next_shape(centre: DVec3, radius: f64, random: &mut Random) -> Next {
     }
 }
 
-/// Where the camera or a light is.
+/// Returns the position of the camera or a light.
 fn position(balls: &[(DVec3, f64)], eye: DVec3, random: &mut Random) -> DVec3 {
     let out = random.direction();
     match random.index(8) {
@@ -236,7 +236,7 @@ fn position(balls: &[(DVec3, f64)], eye: DVec3, random: &mut Random) -> DVec3 {
     }
 }
 
-/// A number from 0 to 1; often one of the ends.
+/// Returns a number from 0 to 1; often one of the ends.
 fn fraction(random: &mut Random) -> f32 {
     if random.bool() {
         random.pick(&[0.0, 0.5, 1.0])

@@ -25,7 +25,7 @@ use trial::exactly as exact_shape;
 pub struct BookScene {
     /// Lower case: `facing-mirrors`.
     pub name: &'static str,
-    /// Returns it.
+    /// Returns the scene and its camera.
     pub make: fn() -> (Model, Camera),
 }
 
@@ -60,7 +60,7 @@ pub enum Model {
     Absorbing(Scene<Absorbing>),
 }
 
-/// Every scene that the book draws, but for the bugs, and one of nested glass.
+/// Every scene of the book but those of bugs, and one of nested glass.
 pub const SCENES: [BookScene; 15] = [
     book("floor", || (flat(1), horizon_camera())),
     book("flat", || (flat(6), still_life_camera())),
@@ -168,7 +168,7 @@ impl Model {
         }
     }
 
-    /// Returns the same scene as the f64 oracle has it.
+    /// Returns the scene in the oracle's types.
     #[must_use]
     pub fn exactly(&self) -> oracle::Scene {
         match self {
@@ -183,7 +183,7 @@ impl Model {
     }
 }
 
-/// Returns a scene as the oracle has it, in the very numbers that its f32s are.
+/// Returns a scene in the oracle's types, its f32 numbers unchanged.
 fn exactly<M>(
     scene: &Scene<M>,
     material: impl Fn(&M) -> (Material, oracle::Glass),
@@ -230,7 +230,7 @@ fn exactly<M>(
     }
 }
 
-/// Returns a camera as the oracle has it.
+/// Returns a camera in the oracle's types.
 #[must_use]
 pub fn exact_camera(camera: &Camera) -> oracle::Camera {
     oracle::Camera {

@@ -1,4 +1,4 @@
-//! What is sampled: pictures whose every pixel's mean is known.
+//! Pictures to be sampled, for which every pixel's mean is known.
 
 use crate::scenes::plain_scene;
 use anti_aliasing::{Sampler, jittered};
@@ -50,7 +50,7 @@ impl Subject {
         }
     }
 
-    /// Its means are those of 64 × 64 jittered samples.
+    /// Returns the still life; its means are those of 64 × 64 jittered samples.
     fn still_life() -> Self {
         let (scene, camera) = plain_scene("still-life");
         let budget = PathBudget::new(MAX_DEPTH);
@@ -138,7 +138,7 @@ pub const PATTERNS: [Pattern; 3] = [
 ];
 
 /// The width and height of the patterns' pictures, in pixels. The floor's horizon is their
-/// upper border, and the eye is as far from the image plane as that is wide.
+/// upper edge, and the eye is as far from the image plane as that is wide.
 pub const SIDE: f32 = 64.0;
 /// The eye's height above the floor, in squares.
 const HEIGHT: f32 = 4.0;
@@ -150,7 +150,7 @@ fn one_if(is_light: bool) -> f32 {
     f32::from(u8::from(is_light))
 }
 
-/// The length of the part of a row from x to x + 1 that is within the disc.
+/// Returns the length of the part of a row from x to x + 1 that is within the disc.
 fn chord(x: f64, y: f64) -> f64 {
     let radius = f64::from(RADIUS);
     let half = (radius * radius - y * y).max(0.0).sqrt();

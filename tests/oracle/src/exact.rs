@@ -1,14 +1,14 @@
-//! Exact answers: where a line of f32 numbers distance a sphere or a plane of f32 numbers.
+//! Exact intersections of a line with a sphere or a plane, all of f32 numbers.
 //!
 //! Sums, differences and products of floats are floats again, of more bits: here they are never
 //! rounded, so that the sign of a discriminant is certain. A quotient or a root is rounded to 256 bits,
-//! and the answer to f64. All inputs must be finite; the direction need not be a unit vector.
+//! and the result to f64. All inputs must be finite; the direction need not be a unit vector.
 
 use dashu_float::{Context, FBig, Repr, round::mode::HalfEven};
 use glam::{DVec3, Vec3};
 use std::cmp::Ordering;
 
-/// A number of as many bits as it needs.
+/// A number with as many bits as it needs.
 type Real = FBig<HalfEven, 2>;
 
 /// Bits of a quotient or a root: an f64 has 53.
@@ -19,7 +19,7 @@ fn real(x: f32) -> Real {
     Real::from_repr(Repr::try_from(x).expect("a finite f32"), Context::new(0))
 }
 
-/// Rounded to where division and square roots are defined, from which `real` keeps away.
+/// Returns `x` rounded to [`BITS`] bits: division and square roots need a finite precision.
 fn rounded(x: &Real) -> Real {
     x.clone().with_precision(BITS).value()
 }
@@ -42,10 +42,10 @@ fn dot(a: &Vector, b: &Vector) -> Real {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// Where a line distance a surface.
+/// The intersection of a line with a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// How far along the line, in lengths of its direction.
+    /// The distance along the line, in lengths of its direction.
     pub t: f64,
     /// The sphere's outward unit normal there.
     pub normal: DVec3,
@@ -92,7 +92,8 @@ impl Quadratic {
     }
 }
 
-/// The sign of the discriminant: a line that passes the sphere by is `Less`, a tangent `Equal`.
+/// Returns the sign of the discriminant: `Less` for a line that misses the sphere, `Equal` for
+/// a tangent.
 #[must_use]
 pub fn discriminant(
     origin: Vec3,
@@ -104,7 +105,7 @@ pub fn discriminant(
     discriminant.cmp(&Real::ZERO)
 }
 
-/// How near the line comes to the sphere's centre, in radii: 1 is a tangent.
+/// Returns the distance of the line from the sphere's centre, in radii: 1 for a tangent.
 #[must_use]
 pub fn approach(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> f64 {
     let Quadratic {
@@ -115,7 +116,8 @@ pub fn approach(origin: Vec3, direction: Vec3, centre: Vec3, radius: f32) -> f64
     to_f64(&square.sqrt())
 }
 
-/// Where the line, to both sides of its origin, distance the sphere, in the order of its direction.
+/// Returns the intersections of the line, to both sides of its origin, with the sphere, in the
+/// order of its direction.
 ///
 /// `None` for a miss, or for a direction of zero.
 #[must_use]
@@ -148,9 +150,10 @@ pub fn sphere(
     Some([near, far].map(|t| quadratic.hit(&t)))
 }
 
-/// Where the line distance the plane through `point` at right angles to `normal`, of whatever length.
+/// Returns the distance along the line to the plane through `point` that is perpendicular to
+/// `normal`, a vector of any length.
 ///
-/// `None` for a line beside the plane or in it.
+/// `None` for a line that is parallel to the plane or in it.
 #[must_use]
 pub fn plane(origin: Vec3, direction: Vec3, point: Vec3, normal: Vec3) -> Option<f64> {
     let normal = vector(normal);
@@ -205,9 +208,9 @@ mod tests {
         assert_eq!(sphere(Vec3::X, Vec3::ZERO, Vec3::ZERO, 1.0), None);
     }
 
-    /// t = (x₀ − o)·n / (d·n), and no answer beside the plane.
+    /// t = (x₀ − o)·n / (d·n), and `None` for a parallel line.
     #[test]
-    fn a_plane_is_met_once_or_never() {
+    fn a_plane_is_hit_once_or_never() {
         let from =
             |direction| plane(vec3(0.0, 3.0, 0.0), direction, Vec3::ZERO, 2.0 * Vec3::Y);
         assert_eq!(from(vec3(1.0, -1.0, 0.0)), Some(3.0));

@@ -1,4 +1,5 @@
-//! What becomes of light at the smooth interface of two media, by its wave vector.
+//! Reflection and refraction at the smooth interface of two media, by the light's wave
+//! vector.
 
 use glam::DVec3;
 
@@ -14,8 +15,8 @@ pub struct Interface {
 }
 
 impl Interface {
-    /// Returns what becomes of light along `incident` at a surface whose `normal` faces it, from a medium of the first index
-    /// into one of the second. Both vectors are unit vectors.
+    /// Returns the reflection and refraction of light along `incident` at a surface whose `normal` faces it, from a medium
+    /// of the first index into one of the second. Both vectors are unit vectors.
     ///
     /// A wave's vector k is as long as the index, n₁ here and n₂ beyond, and its part along the surface
     /// is the same on both sides: that is Snell's law. Its part across the surface, q, makes up for the

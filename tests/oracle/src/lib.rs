@@ -1,8 +1,8 @@
-//! What the chapters are measured against: a plain tracer in f64, and exact answers.
+//! The reference for the chapters: a plain tracer in f64, and exact intersections.
 //!
 //! It shares no code with the chapters, so that a bug in a chapter cannot hide in it: it has types of
 //! its own, finds hits by another derivation, refracts light by another, and writes the scene out once
-//! more. It knows nothing of speed, and needs no offset: a ray knows the surface that it starts on.
+//! more. It is not fast, and needs no offset: a ray holds the index of the object that it starts on.
 
 pub mod exact;
 mod interface;
@@ -72,7 +72,7 @@ impl Camera {
     }
 }
 
-/// What a ray can hit.
+/// The shape of an object.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     /// A ball.
@@ -163,7 +163,7 @@ impl Shape {
 /// A surface's colour, linear.
 #[derive(Clone, Copy, Debug)]
 pub enum Texture {
-    /// The same everywhere.
+    /// The same colour everywhere.
     Solid(DVec3),
     /// Squares of side 1 by x and z: where ⌊x⌋ + ⌊z⌋ is even, and where it is odd.
     Checker(DVec3, DVec3),
@@ -185,7 +185,7 @@ impl Texture {
     }
 }
 
-/// How a surface reflects light, by Phong.
+/// How a surface reflects light, by Phong's model.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
     /// Its colour.
@@ -200,23 +200,23 @@ pub struct Surface {
     pub shininess: i32,
 }
 
-/// What becomes of light that a surface does not scatter.
+/// How an object reflects and transmits rays.
 #[derive(Clone, Copy, Debug)]
 pub enum Optics {
-    /// This fraction of it is reflected, and the rest is lost.
+    /// This fraction of the light is reflected, and the rest is lost.
     Opaque(f64),
-    /// It passes through.
+    /// Light passes through.
     Dielectric {
         /// The index of refraction inside.
         eta_inside: f64,
         /// The index of refraction outside.
         eta_outside: f64,
-        /// What of a glass's behaviour is modelled.
+        /// The parts of glass's behaviour that are modelled.
         glass: Glass,
     },
 }
 
-/// What of a glass's behaviour is modelled.
+/// The parts of glass's behaviour that are modelled.
 #[derive(Clone, Copy, Debug)]
 pub enum Glass {
     /// It refracts all of the light, and reflects only what cannot be refracted. Its shadow is black.
@@ -235,7 +235,7 @@ pub struct Object {
     pub shape: Shape,
     /// Its surface.
     pub surface: Surface,
-    /// What becomes of light that the surface does not scatter.
+    /// How the object reflects and transmits rays.
     pub optics: Optics,
 }
 
@@ -251,7 +251,7 @@ pub struct PointLight {
 /// Objects, lights and a background.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// What a ray can hit.
+    /// The objects that rays can hit.
     pub objects: Vec<Object>,
     /// The lights.
     pub lights: Vec<PointLight>,
@@ -297,13 +297,13 @@ impl Scene {
         self.objects[object].shape.distance(ray, starts_here)
     }
 
-    /// Returns the ray's first hit.
+    /// Returns the ray's first hit. `None` if it hits nothing.
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<Interaction> {
         let objects = 0..self.objects.len();
-        let met =
+        let hits =
             objects.filter_map(|object| Some((object, self.distance(object, ray)?)));
-        let (object, t) = met.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (object, t) = hits.min_by(|a, b| a.1.total_cmp(&b.1))?;
         let shape = self.objects[object].shape;
         let point = shape.nearest_to(ray.origin + t * ray.direction);
         let normal = shape.normal(point);
@@ -384,7 +384,7 @@ pub fn trace_shadows(scene: &Scene, ray: &Ray) -> DVec3 {
     })
 }
 
-/// Ambient, diffuse and specular light.
+/// Returns the radiance along a ray of ambient, diffuse and specular light.
 #[must_use]
 pub fn trace_shaded(scene: &Scene, ray: &Ray) -> DVec3 {
     scene
@@ -392,7 +392,7 @@ pub fn trace_shaded(scene: &Scene, ray: &Ray) -> DVec3 {
         .map_or(scene.background, |at| shade(scene, ray.direction, &at))
 }
 
-/// How far paths of rays are traced.
+/// The limit to the recursion.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit {
     /// The greatest number of bounces.
@@ -593,12 +593,12 @@ mod tests {
         }
     }
 
-    /// A tinted ball straight on: each bounce between its two ends passes 0.04 on, and leaves e^(−2 a).
+    /// An absorbing ball at normal incidence: each bounce between its two ends passes 0.04 on, and leaves e^(−2 a).
     /// With T = 0.96, R = 0.04 and A = e^(−2 a), the sky behind comes through with T² A / (1 − R² A²), and
     /// the sky in front with R + T² R A² / (1 − R² A²): without absorption all of it.
     #[test]
     #[expect(clippy::disallowed_methods, reason = "the closed form")]
-    fn a_tinted_ball_passes_on_and_mirrors_a_geometric_series() {
+    fn an_absorbing_ball_transmits_and_reflects_a_geometric_series() {
         let absorption = dvec3(0.0, 0.3, 2.0);
         let optics = Optics::Dielectric {
             eta_inside: 1.5,
@@ -621,10 +621,10 @@ mod tests {
         assert!((light.x - 1.0).abs() <= 1e-14);
     }
 
-    /// A light through a tinted ball of radius 1, and from inside it: e^(−a) for each unit of length.
+    /// A light through an absorbing ball of radius 1, and from inside it: e^(−a) for each unit of length.
     #[test]
     #[expect(clippy::disallowed_methods, reason = "the closed form")]
-    fn a_lamp_shines_through_tinted_glass() {
+    fn a_light_shines_through_absorbing_glass() {
         let optics = Optics::Dielectric {
             eta_inside: 1.5,
             eta_outside: 1.0,

@@ -1,8 +1,8 @@
-//! The still life, written out once more.
+//! The still life, written out independently of the chapters.
 //!
 //! Its numbers are the decimals themselves, as f64 holds them, and not the f32 values that a chapter
-//! rounds them to: 0.9 means nine tenths. What a chapter loses by that rounding, some 10⁻⁸, is part of
-//! what it is measured for.
+//! rounds them to: 0.9 means nine tenths. The error by that rounding, some 10⁻⁸, is part of a
+//! chapter's error.
 
 use crate::{Camera, Glass, Object, Optics, PointLight, Scene, Shape, Surface, Texture};
 use glam::{DVec3, dvec3};
@@ -59,7 +59,7 @@ pub fn still_life() -> Scene {
     }
 }
 
-/// Returns the same with the mirror, and a little reflectivity of the green ball.
+/// Returns the still life with the mirror, and a little reflectivity of the green ball.
 #[must_use]
 pub fn still_life_with_mirrors() -> Scene {
     let mut scene = still_life();
@@ -97,7 +97,7 @@ pub fn still_life_with_glass(glass: Glass) -> Scene {
     scene
 }
 
-/// Returns its camera: 45° from top to bottom, 1/tan(45°/2) = 1 + √2.
+/// Returns the still life's camera: 45° from top to bottom, 1/tan(45°/2) = 1 + √2.
 #[must_use]
 pub fn still_life_camera() -> Camera {
     let forward = dvec3(0.0, -1.1, 7.0);

@@ -2,7 +2,8 @@
 
 use canvas::Stage;
 
-/// Every chapter's stage. The book goes by this list, and so do the tests of the whole.
+/// Every chapter's stage, in the order of the book. The book and the tests of all chapters
+/// use this list.
 pub const STAGES: [&Stage; 16] = [
     &canvas::STAGE,
     &ray_casting::STAGE,

@@ -1,11 +1,11 @@
-//! How a ray leaves a surface, tried: how often it then hits what it should not, and misses
-//! what it should hit.
+//! A trial of methods that spawn rays: how often a ray that leaves a surface hits an object
+//! that it should not hit, or misses one that it should.
 //!
-//! The scene is one to trip over: on a planet, or on a plane, balls of radius 1, 1/20 and
+//! The scene provokes shadow acne: on a planet, or on a plane, balls of radius 1, 1/20 and
 //! 1/200, one that hovers 0.002 above the ground and one that nearly touches it. It is
-//! scaled, and moved away from the origin of the world, so that its numbers have fewer
-//! bits left. The shadow ray or the reflected ray of every camera ray is compared with the
-//! exact one.
+//! scaled, and moved away from the origin of the world, so that its numbers have fewer bits
+//! left. The shadow ray or the reflected ray of every camera ray is compared with the exact
+//! one.
 
 use canvas::Pixel;
 use glam::{DVec3, UVec2, Vec3, dvec3};
@@ -16,19 +16,19 @@ use shadow_acne::{SpawnRay, SurfaceRay, untracked};
 use shadows::Interaction;
 use sphere_hit::{Sphere, T_MAX, face_forward};
 
-/// How a ray leaves a surface.
+/// A method that spawns a ray from a surface.
 #[derive(Clone, Copy, Debug)]
 pub enum Method {
-    /// One of the book's.
-    Taught(SpawnRay),
-    /// A fixed offset, but of this length.
+    /// One of the chapter's functions.
+    Spawn(SpawnRay),
+    /// A fixed offset of this length.
     Offset(f32),
 }
 
 impl Method {
     fn spawn(self, shape: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
         match self {
-            Self::Taught(spawn) => spawn(shape, at, direction),
+            Self::Spawn(spawn) => spawn(shape, at, direction),
             Self::Offset(length) => {
                 let normal = face_forward(at.outward, -direction);
                 let origin = at.point + length * normal;
@@ -38,10 +38,10 @@ impl Method {
     }
 }
 
-/// What the scene stands on.
+/// The ground of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ground {
-    /// y = 0.
+    /// The plane y = 0.
     Plane,
     /// A ball of radius 1000 whose top is the origin of the scene.
     Sphere,
@@ -59,7 +59,7 @@ pub enum Secondary {
 /// A variant of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Configuration {
-    /// What it stands on.
+    /// The ground of the scene.
     pub ground: Ground,
     /// The rays that leave its surfaces.
     pub secondary: Secondary,
@@ -142,8 +142,7 @@ impl Configuration {
     /// one.
     ///
     /// # Panics
-    /// If the scale is not positive, or either number so large or small that f32 has no
-    /// such scene.
+    /// If the scale is not positive, or if f32 cannot represent the scene.
     #[must_use]
     pub fn trial(self) -> Trial {
         let away = dvec3(0.64, 0.48, -0.6);
@@ -155,7 +154,7 @@ impl Configuration {
             Ground::Plane => Shape::plane(at(DVec3::ZERO), Vec3::Y),
             Ground::Sphere => ball(pole, 1000.0),
         };
-        // A ball above (x, z), with some air between it and the ground.
+        // A ball above (x, z), with a gap of `air` between it and the ground.
         let resting = |x, z, radius, air| {
             let height = radius + air;
             let centre = match self.ground {
@@ -197,7 +196,7 @@ impl Configuration {
     }
 }
 
-/// Returns a shape as the oracle has it, in the very numbers that its f32s are.
+/// Returns a shape in the oracle's types, its f32 numbers unchanged.
 #[must_use]
 pub fn exactly(shape: Shape) -> oracle::Shape {
     match shape {
@@ -343,7 +342,8 @@ impl Trial {
         })
     }
 
-    /// Returns the first object before `t_max`, exactly: its index, and the distance.
+    /// Returns the index of the first object that the exact ray hits before `t_max`, and
+    /// the distance.
     fn first(&self, ray: &oracle::Ray, t_max: f64) -> Option<(usize, f64)> {
         let shapes = self.exact.iter().enumerate();
         shapes

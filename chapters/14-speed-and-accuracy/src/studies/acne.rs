@@ -1,5 +1,5 @@
-//! How a ray leaves a surface; how often it then hits what it should not, and misses what it
-//! should hit.
+//! Shadow acne: how often rays that leave a surface hit an object that they should not hit,
+//! or miss one that they should.
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Clock, Study, each};
@@ -9,9 +9,10 @@ use trial::{Configuration, Ground, Method, Secondary, Tally, Trial};
 
 /// Shadow rays on the planet: false hits, in percent of the points that the light reaches,
 /// and lost shadows, in percent of those that it does not reach, over the scene's scale
-/// (with the origin of the world in it) and over its distance from there (in its own
-/// units, at scale 1). Both numbers count alike in "overall": their mean, over all these
-/// places. The setting there is the offset's length, and the times are those at scale 1.
+/// (with the origin of the world in it) and over its distance from there (in its own units,
+/// at scale 1). Both numbers count alike in "overall": their mean, over all these variants
+/// of the scene. The setting there is the offset's length, and the times are those
+/// at scale 1.
 pub const STUDY: Study = Study {
     name: "acne",
     title: "Leaving a surface: without an offset, by a fixed one, by one that is scaled, and from the surface itself",
@@ -33,17 +34,17 @@ pub const STUDY: Study = Study {
 const SCALE: Axis = (Quantity::Setting, "scale of the scene");
 const TIME: Axis = (Quantity::Ns, "nanoseconds for one shadow ray");
 
-/// The last tells whether the charts over the scale have room for it.
+/// A name, a method, and whether the charts over the scale show it.
 const METHODS: [(&str, Method, bool); 9] = [
-    ("no offset", Method::Taught(without_offset), true),
+    ("no offset", Method::Spawn(without_offset), true),
     ("fixed 1e-6", Method::Offset(1e-6), true),
     ("fixed 1e-5", Method::Offset(1e-5), false),
     ("fixed 1e-4", Method::Offset(1e-4), true),
     ("fixed 1e-3", Method::Offset(1e-3), false),
     ("fixed 1e-2", Method::Offset(1e-2), true),
     ("fixed 1e-1", Method::Offset(1e-1), false),
-    ("scaled", Method::Taught(with_scaled_offset), true),
-    ("from the surface", Method::Taught(from_surface), true),
+    ("scaled", Method::Spawn(with_scaled_offset), true),
+    ("from the surface", Method::Spawn(from_surface), true),
 ];
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
@@ -52,22 +53,22 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
     let distances = [1.0, 10.0, 100.0, 1e3, 1e4, 1e5];
     let away =
         distances.map(|distance| (", far away", distance, on_the_planet(1.0, distance)));
-    let places = scaled.into_iter().chain(away);
-    let tallies: Vec<(&str, f64, [Tally; 9])> = places
-        .map(|(place, setting, trial)| {
+    let variants = scaled.into_iter().chain(away);
+    let tallies: Vec<(&str, f64, [Tally; 9])> = variants
+        .map(|(variant, setting, trial)| {
             (
-                place,
+                variant,
                 setting,
                 METHODS.map(|(_, method, _)| trial.tally(method)),
             )
         })
         .collect();
     let mut rows = Vec::new();
-    for (place, setting, tallies) in &tallies {
+    for (variant, setting, tallies) in &tallies {
         for ((name, _, is_shown), tally) in METHODS.into_iter().zip(tallies) {
             let row = |scene, wrong| Measurement {
                 wrong: Some(wrong),
-                ..Measurement::of(format!("{scene}{place}"), name, *setting)
+                ..Measurement::of(format!("{scene}{variant}"), name, *setting)
             };
             if is_shown {
                 rows.push(row("false hits", tally.false_hits()));
@@ -85,7 +86,7 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
             .iter()
             .map(|(.., tallies)| tallies[i].false_hits() + tallies[i].leaks());
         let (name, setting) = match method {
-            Method::Taught(_) => (name, 0.0),
+            Method::Spawn(_) => (name, 0.0),
             Method::Offset(length) => ("fixed", length.into()),
         };
         rows.push(Measurement {

@@ -36,7 +36,7 @@ const LARGEST: Axis = (Quantity::Max, "largest error, in radii");
 const TIME: Axis = (Quantity::Ns, "nanoseconds for one bounce");
 const ERROR: Axis = (Quantity::Rms, "RMS error, in radii");
 
-/// From a corner and a number of bounces to the corner after these.
+/// A function from a corner and a number of bounces to the corner after these.
 type Method = fn(&(Corner, u32)) -> Corner;
 
 const METHODS: [(&str, Method); 6] = [
@@ -76,7 +76,8 @@ fn in_f32(&(start, bounces): &(Corner, u32), bounce: impl Fn(&Ray) -> Ray) -> Co
 // These are not inlined, as `bounce_inside` from another crate is not: the difference in time
 // is to be that of the methods.
 
-/// The textbook's formulas; the mirror's centre is the origin, its radius 1.
+/// Returns the next corner by the textbook's formulas; the mirror's centre is the origin,
+/// its radius 1.
 #[inline(never)]
 fn bounce_in_f64([origin, direction]: Corner) -> Corner {
     let b = direction.dot(origin);
@@ -85,7 +86,8 @@ fn bounce_in_f64([origin, direction]: Corner) -> Corner {
     [normal, direction - 2.0 * normal.dot(direction) * normal]
 }
 
-/// To the other root, back onto the surface, and on. A ray without another root is lost.
+/// Returns the ray after the next bounce: from the other root of the quadratic, projected
+/// onto the surface. NaN if there is no other root.
 #[inline(never)]
 fn bounce_from_surface(ray: &Ray) -> Ray {
     const OBJECTS: [Object<()>; 1] = [Object {
@@ -101,12 +103,12 @@ fn bounce_from_surface(ray: &Ray) -> Ray {
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
     let root_5 = 5.0_f64.sqrt();
-    // How each turns about the centre from one corner to the next; the star's are five.
+    // The turn about the centre from one corner to the next. The star has five corners.
     let star = DVec2::new(-(1.0 + root_5) / 4.0, ((5.0 - root_5) / 8.0).sqrt());
     let hexagon = DVec2::new(0.5, 0.75_f64.sqrt());
     let turns = [("star", star), ("square", DVec2::Y), ("hexagon", hexagon)];
     let bounced = |scene, bounces: u32, starts: &[_]| {
-        let rows = compare(clock, (scene, bounces.into()), starts, &METHODS, judge);
+        let rows = compare(clock, (scene, bounces.into()), starts, &METHODS, verdict);
         rows.into_iter().map(move |row| Measurement {
             wrong: row.wrong.or(Some(0.0)),
             ..row.per_step(bounces)
@@ -123,8 +125,9 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
     rows
 }
 
-/// A ray is lost if its place or its direction is more than a tenth off.
-fn judge(_: &(Corner, u32), exact: &Corner, end: Corner) -> Verdict {
+/// Returns the error of the position. A ray is lost if its position or its direction is
+/// more than a tenth off.
+fn verdict(_: &(Corner, u32), exact: &Corner, end: Corner) -> Verdict {
     let [error, turned] = [0, 1].map(|i| end[i].distance(exact[i]));
     let is_lost = !(error <= 0.1 && turned <= 0.1);
     Verdict::Error(if is_lost { f64::INFINITY } else { error })

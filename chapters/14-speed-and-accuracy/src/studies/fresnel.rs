@@ -40,11 +40,11 @@ const METHODS: [(&str, Method); 5] = [
         schlick(c, eta_i, eta_t)
     }),
     ("Schlick", schlick_by_larger_angle),
-    ("constant", straight_on),
+    ("constant", normal_incidence),
 ];
 
-/// Fresnel's formulas by c = cosθ₁ and g = η₂/η₁ cosθ₂, with g² − c² as a product: so
-/// nothing is lost where the indices are nearly equal.
+/// Returns the reflectance by Fresnel's formulas in c = cosθ₁ and g = η₂/η₁ cosθ₂, with
+/// g² − c² as a product: so nothing is lost where the indices are nearly equal.
 ///
 /// Source: Cook and Torrance, "A Reflectance Model for Computer Graphics" (1982); g − c is
 /// here (g² − c²) / (g + c).
@@ -60,7 +60,8 @@ fn factored(&[c, eta_i, eta_t]: &Case) -> f32 {
     r_perp * r_perp * (1.0 + ratio * ratio) / 2.0
 }
 
-/// Schlick's approximation in the larger of the two angles, and total reflection.
+/// Returns Schlick's approximation in the larger of the two angles, and 1 for total
+/// reflection.
 fn schlick_by_larger_angle(&[cos_theta_i, eta_i, eta_t]: &Case) -> f32 {
     if eta_i <= eta_t {
         return schlick(cos_theta_i, eta_i, eta_t);
@@ -73,25 +74,25 @@ fn schlick_by_larger_angle(&[cos_theta_i, eta_i, eta_t]: &Case) -> f32 {
     schlick((1.0 - sin2_theta_t).sqrt(), eta_i, eta_t)
 }
 
-/// What is mirrored at no angle at all.
-fn straight_on(&[_, eta_i, eta_t]: &Case) -> f32 {
+/// Returns the reflectance at normal incidence, whatever the angle.
+fn normal_incidence(&[_, eta_i, eta_t]: &Case) -> f32 {
     let r = (eta_i - eta_t) / (eta_i + eta_t);
     r * r
 }
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
     let (mut rows, mut all) = (Vec::new(), Vec::new());
-    let judge = |_: &_, exact: &f64, answer| Verdict::difference(answer, *exact);
+    let verdict = |_: &_, exact: &f64, result| Verdict::difference(result, *exact);
     for less_one in [3e-4, 1e-3, 1e-2, 0.1, 0.33, 0.5, 0.8, 1.42, 2.0] {
         let index = (1.0 + less_one) as f32;
         for (scene, eta_i, eta_t) in [("entering", 1.0, index), ("leaving", index, 1.0)] {
             let cases = on_a_disc(eta_i, eta_t);
-            rows.extend(compare(clock, (scene, less_one), &cases, &METHODS, judge));
+            rows.extend(compare(clock, (scene, less_one), &cases, &METHODS, verdict));
             if less_one >= 0.1 {
                 all.extend(cases);
             }
         }
     }
-    rows.extend(compare(clock, ("overall", 0.0), &all, &METHODS, judge));
+    rows.extend(compare(clock, ("overall", 0.0), &all, &METHODS, verdict));
     rows
 }

@@ -1,4 +1,4 @@
-//! What costs more when there is more of it.
+//! The growth of the cost with pixels, samples, lights, bounces and spheres.
 
 use super::recursion::trace_times;
 use crate::chart::{Axis, Chart, Quantity};
@@ -8,9 +8,9 @@ use anti_aliasing::regular;
 use canvas::{Canvas, Picture};
 use glam::UVec2;
 use measure::Random;
+use measure::bvh::{Bvh, anywhere, cloud, rays};
 use measure::pictures::{frame, render};
 use measure::scenes::{plain_scene, scene};
-use measure::tree::{Tree, anywhere, cloud, rays};
 use packets::LANES;
 use plane_hit::nearest;
 use ray_casting::Ray;
@@ -49,13 +49,13 @@ fn spheres(clock: &Clock) -> Vec<Measurement> {
     for (name, rays) in rays() {
         for count in [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 4000] {
             let objects = cloud(count);
-            let tree = Tree::new(&objects);
+            let bvh = Bvh::new(&objects);
             // Few rays for many spheres: a short job is not interrupted.
             let few = rays.iter().step_by(objects.len().div_ceil(64));
             let few: Vec<Ray> = few.copied().collect();
             let jobs = [
                 each(&few, |ray| nearest(&objects, ray)),
-                each(&rays, |ray| tree.nearest(ray)),
+                each(&rays, |ray| bvh.nearest(ray)),
             ];
             let times = clock.min_of_rounds(1, jobs);
             for ((method, rays), ns) in

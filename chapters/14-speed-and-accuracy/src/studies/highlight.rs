@@ -30,9 +30,9 @@ type Case = (f32, u32);
 
 type Method = fn(&Case) -> f32;
 
-/// What is timed, and what tells the errors: the standard library's powers are the
-/// platform's, and their last bits are, too. Those of the libm crate are the same
-/// everywhere, and as good to less than an ulp.
+/// A name, the function that is timed, and the one whose errors are measured: the last bits
+/// of the standard library's powers depend on the platform. Those of the libm crate are the
+/// same everywhere, and as exact to within an ulp.
 const METHODS: [(&str, Method, Method); 5] = [
     ("squaring", by_squaring, by_squaring),
     ("powf", by_powf, by_portable_powf),
@@ -61,7 +61,7 @@ fn by_exp2(&(x, n): &Case) -> f32 {
     (n as f32 * x.log2()).exp2()
 }
 
-/// x / (n − n x + x), which has a highlight's height and is as steep at its middle.
+/// Returns x / (n − n x + x), which is as high and as steep as the power at x = 1.
 ///
 /// Source: Schlick, "A Fast Alternative to Phong's Specular Model", Graphics Gems IV
 /// (1994).
@@ -82,13 +82,13 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
 }
 
 fn powers(clock: &Clock, scene: (&str, f64), cases: &[(Case, f64)]) -> Vec<Measurement> {
-    let [timed, judged] = [
+    let [timed, portable] = [
         METHODS.map(|(name, timed, _)| (name, timed)),
-        METHODS.map(|(name, _, judged)| (name, judged)),
+        METHODS.map(|(name, _, portable)| (name, portable)),
     ];
-    let judge = |_: &_, exact: &f64, term| Verdict::difference(term, *exact);
-    let times = compare(clock, scene, cases, &timed, judge);
-    let errors = compare(&Clock::STOPPED, scene, cases, &judged, judge);
+    let verdict = |_: &_, exact: &f64, term| Verdict::difference(term, *exact);
+    let times = compare(clock, scene, cases, &timed, verdict);
+    let errors = compare(&Clock::STOPPED, scene, cases, &portable, verdict);
     let both = times.into_iter().zip(errors);
     both.map(|(time, errors)| Measurement {
         ns: time.ns,
@@ -97,8 +97,8 @@ fn powers(clock: &Clock, scene: (&str, f64), cases: &[(Case, f64)]) -> Vec<Measu
     .collect()
 }
 
-/// A highlight from its middle, x = 1, to where nothing is left of it, at e⁻²⁰ or x = 0;
-/// with the right powers.
+/// Returns cases across a highlight, from its middle, x = 1, to its end, at e⁻²⁰ or x = 0,
+/// with the exact powers.
 fn across(n: u32) -> Vec<(Case, f64)> {
     let width = if n > 20 { 20.0 / f64::from(n) } else { 1.0 };
     let case = |i| {

@@ -1,4 +1,4 @@
-//! What a packet gains, and how many of its rays stay together.
+//! Packets against single rays: the gain, and how many rays of a packet stay together.
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Clock, Study, each};
@@ -19,7 +19,7 @@ use shadows::Scene;
 /// hold a camera ray, and work is what is traced for a pixel, rays or packets; of
 /// "divergence", the bounces before, and the active lanes of the packets that are traced
 /// there; of "all rays", those of all packets; of "threads", their number, and rays for a
-/// pixel. Wrong are pixels with any other bit than those of one ray at once on one thread.
+/// pixel. A pixel is wrong if any bit differs from that of one ray at once on one thread.
 pub const STUDY: Study = Study {
     name: "packets",
     title: "What sixteen rays at once gain: lanes in use, lanes that stay together, threads",
@@ -37,7 +37,7 @@ pub const STUDY: Study = Study {
 const TIME: Axis = (Quantity::Ns, "nanoseconds for a pixel");
 const ACTIVE: Axis = (Quantity::Work, "active lanes of sixteen");
 
-/// Large enough for a thread to be worth its start.
+/// A size at which starting a thread pays.
 const LARGE: UVec2 = UVec2::new(320, 240);
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
@@ -48,7 +48,7 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
     rows
 }
 
-/// The still life by n × n samples per pixel, one ray at once and in packets.
+/// Returns the still life by n × n samples per pixel, one ray at once and in packets.
 fn still_life(n: u32) -> [Picture; 2] {
     let (scene, camera) = plain_scene("still-life");
     let budget = PathBudget::new(MAX_DEPTH);
@@ -67,7 +67,7 @@ fn traced(picture: &Picture, size: UVec2, span: usize) -> (Vec<Vec3>, [u64; 2]) 
     (radiance, [rays - before[0], packets - before[1]])
 }
 
-/// Returns the percentage of pixels with any other bit.
+/// Returns the percentage of pixels in which any bit differs.
 fn differing(right: &[Vec3], radiance: &[Vec3]) -> Option<f64> {
     let bits = |radiance: &Vec3| radiance.to_array().map(f32::to_bits);
     let pairs = right.iter().zip(radiance);
@@ -106,8 +106,9 @@ fn lanes(clock: &Clock) -> Vec<Measurement> {
     rows
 }
 
-/// How full the packets are that a bounce adds: what one bounce more traces in addition.
-/// Without lights, none of them goes to a light; the difference does.
+/// Returns the active lanes of the packets that each further bounce adds to a picture. In a
+/// scene without lights none of them is of shadow rays; those are the difference to the
+/// scene with its lights.
 fn divergence(name: &str, scene: &str) -> Vec<Measurement> {
     let (lit, camera) = plain_scene(scene);
     let mut dark = lit.clone();
@@ -122,7 +123,7 @@ fn divergence(name: &str, scene: &str) -> Vec<Measurement> {
     };
     let less = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a - c, b - d];
     let (mut rows, mut paths, mut all) = (Vec::new(), [0.0; 2], [0.0; 2]);
-    // Deeper, hardly a packet is left.
+    // Hardly a packet goes deeper.
     for depth in 0..=8 {
         let [deeper, deeper_all] = [up_to(&dark, depth), up_to(&lit, depth)];
         let (now, now_all) = (less(deeper, paths), less(deeper_all, all));

@@ -1,4 +1,4 @@
-//! Where a ray meets a plane, and on which square of a chequered floor.
+//! The intersection of a ray and a plane, and the squares of a checkered floor.
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Clock, Study, Verdict, compare};
@@ -14,7 +14,8 @@ use sphere_hit::T_MAX;
 /// near and far; and a floor's squares by two coordinates or by three.
 ///
 /// Of a plane far from the origin, the textbook's formula is the better one as long as the
-/// point that is stored is near the eye: far from that, no f32 knows the height.
+/// point that is stored is near the eye: far from that, no f32 is exact enough for the
+/// height.
 pub const STUDY: Study = Study {
     name: "plane",
     title: "A ray and a plane: the textbook’s formula, a stored offset, and f64; and the floor’s squares",
@@ -58,7 +59,7 @@ const CHECKERS: [(&str, IsEven); 2] = [
     ("in space", |&point| !is_even_in_space(point)),
 ];
 
-/// t = (h − n·o) / (n·d).
+/// Returns t = (h − n·o) / (n·d).
 ///
 /// Source: the plane's Hesse normal form, as in Ericson, Real-Time Collision Detection
 /// (2005), 5.3.1.
@@ -104,13 +105,13 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
     for distance in [10.0, 30.0, 1e2, 3e2, 1e3, 1e4, 1e5, 1e6, 3e6, 1e7] {
         let point = |_| floor_point(&mut random, distance);
         let points: Vec<_> = (0..10_000).map(point).collect();
-        let judge = |_: &_, exact: &bool, answer| Verdict::of(answer == *exact);
+        let verdict = |_: &_, exact: &bool, result| Verdict::of(result == *exact);
         rows.extend(compare(
             clock,
             ("squares", distance),
             &points,
             &CHECKERS,
-            judge,
+            verdict,
         ));
     }
     rows

@@ -1,4 +1,4 @@
-//! When a ray is followed no farther.
+//! Limits to the recursion.
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::error_map::level_error;
@@ -38,8 +38,8 @@ const LARGEST: Axis = (Quantity::Max, "largest error, in levels");
 
 const SIZE: UVec2 = UVec2::new(64, 48);
 
-/// To the end: between mirrors of 0.99 it comes after 1375 bounces, which need less than
-/// half of a thread's usual stack of 2 MiB.
+/// A budget that follows rays to the end: between mirrors of 0.99 after 1375 bounces, which
+/// need less than half of a thread's usual stack of 2 MiB.
 const TO_THE_END: PathBudget = PathBudget {
     depth: 2048,
     throughput: 1.0,

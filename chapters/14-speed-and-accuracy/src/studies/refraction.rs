@@ -11,8 +11,8 @@ use refraction::scene::GLASS;
 /// The textbook's formula, [`refract`] without its last step, which normalises the result,
 /// and with it, and that in f64.
 ///
-/// The inputs are unit vectors up to rounding, and right is what belongs to the very unit
-/// vectors: near the critical angle that rounding counts more than the formula.
+/// The inputs are unit vectors up to rounding, and the exact results are those of the very
+/// unit vectors: near the critical angle that rounding counts more than the formula.
 pub const STUDY: Study = Study {
     name: "refraction",
     title: "Refracted directions: the textbook’s formula, the book’s, and that in f64",
@@ -43,7 +43,7 @@ const METHODS: [(&str, Method); 4] = [
     ("f64", refract_in_f64),
 ];
 
-/// T = η (I + cosθᵢ N) − N √(1 − η² sin²θᵢ), where sin²θᵢ = 1 − cos²θᵢ.
+/// Returns T = η (I + cosθᵢ N) − N √(1 − η² sin²θᵢ), where sin²θᵢ = 1 − cos²θᵢ.
 fn refract_by_textbook(&(incident, normal, eta): &Refraction) -> Option<Vec3> {
     let cos_theta_i = -normal.dot(incident);
     let cos2_theta_t = 1.0 - eta * eta * (1.0 - cos_theta_i * cos_theta_i);
@@ -79,7 +79,7 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
             (cosine, GLASS)
         });
         let scene = ("critical angle", delta);
-        rows.extend(compare(clock, scene, &cases, &METHODS, turned));
+        rows.extend(compare(clock, scene, &cases, &METHODS, direction_error));
     }
     let mut panes = refractions(|random| (0.1 + 0.9 * random.f64(), 1.0 / GLASS));
     for ((incident, ..), exact) in &mut panes {
@@ -92,21 +92,27 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
             })
         });
         let setting = f64::from(count);
-        let turns = compare(clock, ("panes", setting), &panes, &methods, turned);
+        let turns = compare(clock, ("panes", setting), &panes, &methods, direction_error);
         rows.extend(turns.into_iter().map(|row| row.per_step(2 * count)));
         let scene = ("length after panes", setting);
         let clock = Clock::STOPPED;
-        rows.extend(compare(&clock, scene, &panes, &methods, stretched));
+        rows.extend(compare(&clock, scene, &panes, &methods, length_error));
     }
     let cases = refractions(|random| {
         let [eta_i, eta_t] = [0, 1].map(|_| random.between(1.0, 3.0));
         (random.f64(), eta_i / eta_t)
     });
-    rows.extend(compare(clock, ("overall", 0.0), &cases, &METHODS, turned));
+    rows.extend(compare(
+        clock,
+        ("overall", 0.0),
+        &cases,
+        &METHODS,
+        direction_error,
+    ));
     rows
 }
 
-/// Into each of some parallel panes of glass, and out of it.
+/// Returns the direction behind some parallel panes of glass, each entered and left.
 fn through(panes: u32, case: Refraction, refract: Method) -> Option<Vec3> {
     let (incident, normal, _) = case;
     (0..panes).try_fold(incident, |incident, _| {
@@ -115,19 +121,24 @@ fn through(panes: u32, case: Refraction, refract: Method) -> Option<Vec3> {
     })
 }
 
-/// By which angle an answer is off: small ones are as good as their chords.
-fn turned(_: &Refraction, exact: &Option<DVec3>, answer: Option<Vec3>) -> Verdict {
-    match (answer, exact) {
-        (Some(answer), Some(exact)) => {
-            Verdict::Error(answer.as_dvec3().normalize().distance(*exact))
+/// Returns the angle between a result and the exact direction, as the chord: small angles
+/// are as long.
+fn direction_error(
+    _: &Refraction,
+    exact: &Option<DVec3>,
+    result: Option<Vec3>,
+) -> Verdict {
+    match (result, exact) {
+        (Some(result), Some(exact)) => {
+            Verdict::Error(result.as_dvec3().normalize().distance(*exact))
         }
-        (answer, exact) => Verdict::of(answer.is_some() == exact.is_some()),
+        (result, exact) => Verdict::of(result.is_some() == exact.is_some()),
     }
 }
 
-/// By how much an answer is longer than 1, or shorter.
-fn stretched(_: &Refraction, _: &Option<DVec3>, answer: Option<Vec3>) -> Verdict {
-    answer.map_or(Verdict::Wrong, |answer| {
-        Verdict::Error(answer.as_dvec3().length() - 1.0)
+/// Returns the error of a result's length, which should be 1.
+fn length_error(_: &Refraction, _: &Option<DVec3>, result: Option<Vec3>) -> Verdict {
+    result.map_or(Verdict::Wrong, |result| {
+        Verdict::Error(result.as_dvec3().length() - 1.0)
     })
 }

@@ -1,4 +1,4 @@
-//! Where a pixel's samples are taken, and how many.
+//! The positions of a pixel's samples, and their number.
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Clock, Study, each};
@@ -10,8 +10,8 @@ use glam::{DVec2, Vec2, Vec3};
 use measure::Random;
 use measure::subjects::{Subject, subjects};
 
-/// Ways to place n × n samples in a pixel, on patterns and on the still life; the setting is
-/// n.
+/// Samplers that take n × n samples of a pixel, of patterns and of the still life; the
+/// setting is n.
 ///
 /// Work, samples of a pattern and rays of the still life, and nanoseconds are those of one
 /// pixel. Errors are in linear light, against exact means, or that of 4096 samples for the
@@ -118,8 +118,8 @@ fn compare(clock: &Clock, subject: &Subject) -> Vec<Measurement> {
     rows
 }
 
-/// The p of an RMS error that falls as work⁻ᵖ, by least squares of its logarithm; `None` if
-/// the work is always the same.
+/// Returns the p of an RMS error that falls as work⁻ᵖ, by least squares of its logarithm.
+/// `None` if the work is always the same.
 fn order<'a>(rows: impl Iterator<Item = &'a Measurement>) -> Option<f64> {
     let points = rows.filter_map(|row| Some(DVec2::new(row.work?, row.rms?)));
     // A smaller RMS error comes from the sum of the samples in f32.

@@ -54,7 +54,7 @@ fn hit((sphere, ray): &Case, distance: Distance) -> Option<Hit> {
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
     let hits = |scene, setting, rays: &[_]| {
-        compare(clock, (scene, setting), rays, &METHODS, judge)
+        compare(clock, (scene, setting), rays, &METHODS, verdict)
     };
     let ball = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
     let (mut rows, mut all) = (Vec::new(), Vec::new());
@@ -73,7 +73,7 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
     rows
 }
 
-fn judge(_: &Case, exact: &SphereHit, hit: Option<Hit>) -> Verdict {
+fn verdict(_: &Case, exact: &SphereHit, hit: Option<Hit>) -> Verdict {
     match (exact, hit) {
         (Some((t, approach)), Some(hit)) if *approach <= 0.95 => {
             Verdict::in_ulps(hit.t, *t)

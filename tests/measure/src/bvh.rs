@@ -1,5 +1,5 @@
-//! Spheres in a cloud, and a tree of boxes to find the one that a ray hits: a yardstick, and
-//! no part of the book's tracers.
+//! A cloud of spheres, and a bounding volume hierarchy (BVH) over it: for comparison, and no
+//! part of the book's tracers.
 
 use crate::Random;
 use crate::pictures::camera_rays;
@@ -8,7 +8,8 @@ use plane_hit::{Object, Shape};
 use ray_casting::{Camera, Ray};
 use sphere_hit::{Sphere, T_MAX};
 
-/// Returns spheres in a cube whose sides are 1, as much of it filled for any `count`.
+/// Returns spheres in a cube whose sides are 1. They fill the same fraction of it for any
+/// `count`.
 #[must_use]
 pub fn cloud(count: u32) -> Vec<Object<()>> {
     let mut random = Random::new(count);
@@ -21,13 +22,13 @@ pub fn cloud(count: u32) -> Vec<Object<()>> {
     (0..count).map(sphere).collect()
 }
 
-/// Returns a place in a cube about the origin whose sides are 1.
+/// Returns a random point in a cube about the origin whose sides are 1.
 pub fn anywhere(random: &mut Random) -> Vec3 {
     random.colour() - 0.5
 }
 
-/// Returns a camera's rays, of which neighbours hit the same spheres, and as many rays of which
-/// they do not.
+/// Returns two sets of rays, each with its name: a camera's, of which neighbours hit the same
+/// spheres, and as many of which neighbours do not.
 ///
 /// # Panics
 /// Never: there is such a camera.
@@ -45,24 +46,24 @@ pub fn rays() -> [(&'static str, Vec<Ray>); 2] {
     [("camera", coherent), ("random", incoherent)]
 }
 
-/// A box around spheres, and in it the boxes around either half of them along its longest
-/// side.
-pub struct Tree {
-    least: Vec3,
-    most: Vec3,
-    inside: Inside,
+/// A bounding volume hierarchy: a box around spheres, and in it the boxes around either
+/// half of them along its longest side.
+pub struct Bvh {
+    min: Vec3,
+    max: Vec3,
+    node: Node,
 }
 
-enum Inside {
-    /// Indices, and the spheres.
-    Few(Vec<(usize, Sphere)>),
+enum Node {
+    /// A leaf: indices and spheres.
+    Leaf(Vec<(usize, Sphere)>),
     /// The first is before the second along an axis.
-    Halves(usize, Box<[Tree; 2]>),
+    Inner(usize, Box<[Bvh; 2]>),
 }
 
 #[expect(clippy::disallowed_methods, reason = "no lanes, and nothing is NaN")]
-impl Tree {
-    /// Returns the tree over a list of spheres.
+impl Bvh {
+    /// Returns the hierarchy over a list of spheres.
     ///
     /// # Panics
     /// If one of the objects is not a sphere.
@@ -79,27 +80,23 @@ impl Tree {
         let end = |side: f32| {
             move |(_, sphere): &(usize, Sphere)| sphere.centre + side * sphere.radius
         };
-        let least = spheres
+        let min = spheres
             .iter()
             .map(end(-1.0))
             .fold(Vec3::INFINITY, Vec3::min);
-        let most = spheres
+        let max = spheres
             .iter()
             .map(end(1.0))
             .fold(Vec3::NEG_INFINITY, Vec3::max);
-        let inside = if spheres.len() <= 2 {
-            Inside::Few(spheres)
+        let node = if spheres.len() <= 2 {
+            Node::Leaf(spheres)
         } else {
-            let axis = (most - least).max_position();
+            let axis = (max - min).max_position();
             spheres.sort_by(|(_, a), (_, b)| a.centre[axis].total_cmp(&b.centre[axis]));
             let second = spheres.split_off(spheres.len() / 2);
-            Inside::Halves(axis, Box::new([Self::over(spheres), Self::over(second)]))
+            Node::Inner(axis, Box::new([Self::over(spheres), Self::over(second)]))
         };
-        Self {
-            least,
-            most,
-            inside,
-        }
+        Self { min, max, node }
     }
 
     /// Returns the index of the sphere that the ray hits first, and the distance. `None` if it
@@ -115,7 +112,7 @@ impl Tree {
     fn visit(&self, ray: &Ray, reciprocal: Vec3, nearest: &mut Option<(usize, f32)>) {
         let t_max = |nearest: &Option<(usize, f32)>| nearest.map_or(T_MAX, |(_, t)| t);
         let [a, b] =
-            [self.least, self.most].map(|corner| (corner - ray.origin) * reciprocal);
+            [self.min, self.max].map(|corner| (corner - ray.origin) * reciprocal);
         let enters = a.min(b).max_element().max(0.0);
         let leaves = a.max(b).min_element().min(t_max(nearest));
         // Three roundings on either side must not make it a miss.
@@ -123,15 +120,15 @@ impl Tree {
         if !(enters <= leaves * (1.0 + 4.0 * f32::EPSILON)) {
             return;
         }
-        match &self.inside {
-            Inside::Few(spheres) => {
+        match &self.node {
+            Node::Leaf(spheres) => {
                 for (index, sphere) in spheres {
                     if let Some(t) = sphere.distance(ray, t_max(nearest)) {
                         *nearest = Some((*index, t));
                     }
                 }
             }
-            Inside::Halves(axis, halves) => {
+            Node::Inner(axis, halves) => {
                 let first = usize::from(ray.direction[*axis] < 0.0);
                 halves[first].visit(ray, reciprocal, nearest);
                 halves[1 - first].visit(ray, reciprocal, nearest);
