@@ -72,7 +72,7 @@ fn assert_refused(command: &mut Command, folder: &Path, code: i32, words: &[&str
     assert_eq!(listing(folder), before, "{command:?} wrote something");
 }
 
-/// Returns what is in a folder: the names, and the bytes of regular files.
+/// Returns the contents of a folder: the names, and the bytes of regular files.
 fn listing(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
     let entries = fs::read_dir(folder).expect("a folder");
     entries
@@ -461,7 +461,7 @@ mod unix {
             let metadata = fs::metadata(at(name)).expect("a file");
             metadata.permissions().mode() & 0o777
         };
-        // Whatever the umask leaves of 0666.
+        // The bits of 0666 that the umask leaves.
         fs::write(at("ordinary"), "").expect("a file");
         fs::write(at("old.png"), "an old picture").expect("a file");
         symlink("old.png", at("link.png")).expect("a link");

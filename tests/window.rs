@@ -456,7 +456,7 @@ fn a_resized_window_keeps_the_pictures_shape() {
     let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
     shown.title_with(&DONE);
     let picture = shown.rendered("combined", 0.0, SMALL).levels;
-    // Twice as large, each pixel four times, in the middle of what is wider or higher than that.
+    // Twice as large, each pixel four times, in the middle of a window that is wider or higher.
     for (width, height) in [(900, 600), (800, 700), (800, 600)] {
         shown.resize(width, height);
         let (left, top) = ((width - 800) / 2, (height - 600) / 2);

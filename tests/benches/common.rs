@@ -1,9 +1,9 @@
-//! What the benches that write into the book share.
+//! Helpers of the benches that write into the book.
 
 use std::fmt;
 use std::process::ExitCode;
 
-/// Why a bench did not do what it was asked to.
+/// An error of a bench.
 #[derive(Debug)]
 pub enum Error {
     /// The arguments make no sense, for this reason.

@@ -287,7 +287,7 @@ proptest! {
     }
 }
 
-/// What is opaque and does not reflect scatters no ray.
+/// An opaque object without reflectivity scatters no ray.
 #[test]
 fn a_surface_without_reflectivity_scatters_nothing() {
     let at = Interaction {

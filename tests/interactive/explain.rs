@@ -140,8 +140,8 @@ fn names_what_occludes_a_light() {
     assert!(occluded > 1000, "{occluded}");
 }
 
-/// Below the horizon of a point is what is behind its surface; what is above it and not asked
-/// for could show as a highlight alone.
+/// A light below the horizon is behind the surface. One above it without a shadow ray could
+/// only show as a highlight.
 #[test]
 fn says_why_a_light_contributes_nothing() {
     let (scene, camera) = still_life();

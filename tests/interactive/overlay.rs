@@ -36,7 +36,7 @@ fn drawn(explained: &Explained, camera: &Camera, size: UVec2) -> Vec<[u8; 3]> {
     levels
 }
 
-/// Where something is drawn.
+/// Returns the pixels in which something is drawn.
 fn positions(levels: &[[u8; 3]], size: UVec2) -> Vec<UVec2> {
     let positions = Pixel::all(size).zip(levels);
     positions
@@ -213,7 +213,7 @@ fn any_vector() -> impl Strategy<Value = Vec3> {
     [any_number(), any_number(), any_number()].prop_map(Vec3::from)
 }
 
-/// Whatever it may be, and where it may stand, also on a light or in a ball.
+/// Returns cameras in any position and direction, also on a light or in a ball.
 fn any_camera() -> impl Strategy<Value = Camera> {
     let eye = || [-6.0..6.0_f32, 0.1..6.0_f32, -8.0..8.0_f32].prop_map(Vec3::from);
     let spots: Vec<_> = still_life().lights.iter().map(|l| l.position).collect();

@@ -25,7 +25,8 @@ fn view(name: &str) -> &'static WalkView {
     WalkView::named(name).expect("a view")
 }
 
-/// What the walk must arrive at: one ray at a time, n × n samples of every pixel.
+/// Returns the picture that the walk must converge to: one ray at a time, n × n samples of
+/// every pixel.
 fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Canvas {
     let (scene, camera) = (still_life_with_glass(GLASS, AIR), pose.camera());
     let budget = PathBudget::new(MAX_DEPTH);
@@ -232,7 +233,7 @@ fn what_is_no_pose_is_refused() {
 #[test]
 fn a_frame_that_takes_too_long_is_halved_until_it_does_not() {
     let target = Duration::from_millis(33);
-    // What a frame takes is in proportion to its pixels.
+    // A frame's time is proportional to its number of pixels.
     let settle = |whole: Duration, mut lod: u32| {
         for _ in 0..20 {
             lod = next_lod(lod, whole / 4_u32.pow(lod), target);

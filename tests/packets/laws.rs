@@ -138,8 +138,8 @@ fn so_has_the_still_life_a_million_times_larger_or_smaller() {
     }
 }
 
-/// What is beyond f32, and what stands twice: a sphere too small for its distance, two in one place, a light on
-/// a surface, and no object at all.
+/// Scenes at the limits of f32, and coincident objects: a sphere too small for its distance, two spheres at one
+/// position, a light on a surface, and no object at all.
 #[test]
 fn so_have_the_strangest_scenes() {
     let (still_life, camera) = plain_scene("nested");

@@ -37,7 +37,7 @@ fn there_are_no_shadow_rays_without_lights() {
     }
 }
 
-/// What the plastic has beyond its first hits are shadow rays.
+/// After their first hit on plastic, all rays are shadow rays.
 #[test]
 fn no_ray_goes_on_from_a_surface_that_reflects_and_transmits_nothing() {
     let (scene, camera) = plain_scene("plastic");
@@ -176,7 +176,7 @@ fn a_pixel_takes_eight_samples_or_32_to_1024() {
         signature,
     };
     assert_eq!(samples_of(&|_| of(0.5, 1)), (Vec3::splat(0.5), 8));
-    // Of one colour, but of two things: 32 in place of the corners.
+    // Of one colour, but of two objects: 32 samples replace the corners.
     let centre = pixel.centre();
     let halves = |point: Vec2| of(0.5, u32::from(point.x > centre.x));
     assert_eq!(samples_of(&halves), (Vec3::splat(0.5), 4 + 32));
@@ -187,7 +187,7 @@ fn a_pixel_takes_eight_samples_or_32_to_1024() {
     assert!((4 + 64..=4 + 1024).contains(&samples), "{samples}");
 }
 
-/// How far the oracle follows rays: much farther than to half a level.
+/// The limit of the oracle's rays: its error is far below half a level.
 const DEEP: Limit = Limit {
     bounces: 1000,
     min_throughput: 1e-5,

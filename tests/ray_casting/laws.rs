@@ -16,7 +16,7 @@ fn is_orthonormal(camera: &Camera, bound: f64) -> bool {
         && angles.iter().all(|cos| cos.abs() <= bound * EPS)
 }
 
-/// Parallel up to rounding, whatever their lengths.
+/// Parallel up to rounding, for all lengths.
 #[test]
 fn a_camera_that_looks_along_its_up_is_refused() {
     for scale in [1e-15, 1e-3, 1.0, 7.0, 1e3, 1e15] {

@@ -184,21 +184,26 @@ fn between_plane_mirrors_the_error_in_length_adds_up() {
     assert!(worst > 300.0 * EPS);
 }
 
+/// Returns a mirror whose ambient light is 0.1.
+pub fn ambient_mirror(reflectivity: f32) -> Mirror {
+    Mirror {
+        phong: Phong {
+            colour: Texture::Solid(Vec3::ONE),
+            ambient: 0.1,
+            diffuse: 0.0,
+            specular: 0.0,
+            shininess: 1,
+        },
+        reflectivity,
+    }
+}
+
 /// Returns two mirror walls at x = ±1 whose ambient light is 0.1, without a light source.
 fn walls(reflectivity: f32) -> Scene<Mirror> {
     let wall = |x: f32| Object {
         name: "",
         shape: Shape::plane(x * Vec3::X, -x * Vec3::X),
-        material: Mirror {
-            phong: Phong {
-                colour: Texture::Solid(Vec3::ONE),
-                ambient: 0.1,
-                diffuse: 0.0,
-                specular: 0.0,
-                shininess: 1,
-            },
-            reflectivity,
-        },
+        material: ambient_mirror(reflectivity),
     };
     Scene {
         objects: vec![wall(1.0), wall(-1.0)],
@@ -294,7 +299,7 @@ fn a_least_throughput_alone_never_ends_between_perfect_mirrors() {
     }
 }
 
-/// What a reflected ray adds is not negative, and rounding is monotone.
+/// A reflected ray adds no negative radiance, and rounding is monotone.
 #[test]
 fn a_deeper_budget_never_darkens_a_pixel() {
     let radiance = |depth| {

@@ -1,12 +1,12 @@
 //! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
 //! under test has written them.
 
-use ::plane_hit::{Object, Shape, Texture};
+use crate::laws::ambient_mirror;
+use ::plane_hit::{Object, Shape};
 use ::ray_casting::{Ray, SKY};
 use ::reflection::{
-    Mirror, PathBudget, STAGE, bounce_inside, reflect, reflect_unnormalized, trace,
+    PathBudget, STAGE, bounce_inside, reflect, reflect_unnormalized, trace,
 };
-use ::shading::Phong;
 use ::shadows::Scene;
 use ::sphere_hit::Sphere;
 use glam::Vec3;
@@ -56,20 +56,10 @@ fn growth() -> String {
 /// Returns the radiance between two facing mirrors with ambient light, by the closed form and
 /// by `trace`.
 fn corridor(depth: u32) -> [String; 3] {
-    let material = Mirror {
-        phong: Phong {
-            colour: Texture::Solid(Vec3::ONE),
-            ambient: 0.1,
-            diffuse: 0.0,
-            specular: 0.0,
-            shininess: 1,
-        },
-        reflectivity: 0.9,
-    };
     let wall = |z: f32| Object {
         name: "wall",
         shape: Shape::plane(z * Vec3::Z, -z * Vec3::Z),
-        material,
+        material: ambient_mirror(0.9),
     };
     let scene = Scene {
         objects: vec![wall(-1.0), wall(1.0)],

@@ -98,7 +98,7 @@ fn entering_glass_a_ray_is_refracted_towards_the_normal() {
     assert!(is_close(refracted, 0.471_404_520_79, -0.881_917_103_69));
 }
 
-/// Whatever the indices, to the last bit.
+/// For all indices, to the last bit.
 #[test]
 fn along_the_normal_a_ray_goes_straight_on() {
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
@@ -347,11 +347,11 @@ fn totally_reflected(eta_inside: f32, eta_outside: f32, camera: &Camera) -> [usi
     [reflected, clear]
 }
 
-/// What has entered a ball of glass in air hits its surface again at the angle of refraction
-/// at which it has entered, and leaves: none of the camera rays of the views `glass` and
-/// `ball` is totally reflected. A bubble is hit at any angle from outside, and beyond the
-/// critical one, sinθ = 2/3, it reflects: the rim of its disc, 1 − 4/9 of it. Measured: 12,134
-/// of 21,430.
+/// A ray that has entered a ball of glass in air hits its surface again at the angle of
+/// refraction at which it has entered, and leaves: none of the camera rays of the views
+/// `glass` and `ball` is totally reflected. A bubble is hit at any angle from outside, and
+/// beyond the critical one, sinθ = 2/3, it reflects: the rim of its disc, 1 − 4/9 of it.
+/// Measured: 12,134 of 21,430.
 #[test]
 fn a_ball_in_air_never_shows_total_internal_reflection_and_a_bubble_does() {
     let still_life = still_life_camera();

@@ -1,4 +1,5 @@
-//! How a ray leaves a surface: how often it hits what it should not, and misses what it should hit.
+//! Shadow acne: how often a ray that leaves a surface hits an object that it should not hit, or
+//! misses one that it should.
 
 use ::shadow_acne::{
     STAGE, SpawnRay, SurfaceRay, from_surface, trace, untracked, with_fixed_offset,
@@ -29,7 +30,7 @@ const FIXED: usize = 1;
 const SCALED: usize = 2;
 const FROM_SURFACE: usize = 3;
 
-/// How large the scene is, and how many of its own sizes away from the origin of the world.
+/// The scale of the scene, and its distance from the origin of the world in its own units.
 const VARIANTS: [(f64, f64); 8] = [
     (1e-3, 0.0),
     (1.0, 0.0),
@@ -161,7 +162,7 @@ fn a_ray_that_knows_its_surface_never_hits_it_from_outside() {
     }
 }
 
-/// At most `percent` of so many pixels, or one, if that is more.
+/// Returns whether `count` is at most `percent` of `pixels`, or at most one.
 fn at_most(count: usize, percent: f64, pixels: usize) -> bool {
     count <= 1 || count as f64 <= percent / 100.0 * pixels as f64
 }
@@ -308,9 +309,9 @@ fn unit(i: usize) -> DVec3 {
 
 const CHORDS: usize = 1000;
 
-/// What a method makes of chords of a glass ball of radius 1 that start at some angle above the tangent,
-/// and are 2 sin(angle) long: how many it loses or gets wrong by more than a tenth of their length, and the
-/// largest error of the others.
+/// Returns the errors of a method for chords of a glass ball of radius 1 that start at some angle above the
+/// tangent, and are 2 sin(angle) long: the number of chords that are lost or wrong by more than a tenth of
+/// their length, and the largest error of the others.
 fn chords(sine: f64, method: SpawnRay) -> (usize, f64) {
     let ball = Shape::sphere(Vec3::ZERO, 1.0);
     let (mut lost, mut largest) = (0, 0.0_f64);
@@ -336,9 +337,9 @@ fn sine(angle: f64) -> f64 {
     angle.sin()
 }
 
-/// t = 2 sin(angle), of which the error is at most 6 ε: t is −2 d·o, where o and d are
-/// each rounded once, by ε/2 at most, and put together with three roundings, 3 ε/2 at most; the division by
-/// d·d adds what is much smaller.
+/// t = 2 sin(angle), of which the error is at most 6 ε: t is −2 d·o, where o and d are each rounded once,
+/// by ε/2 at most, and put together with three roundings, 3 ε/2 at most; the division by d·d adds much
+/// less.
 #[test]
 fn a_chord_in_glass_is_found_down_to_the_smallest_angle() {
     for angle in ANGLES {
@@ -453,7 +454,7 @@ fn material(colour: Vec3, ambient: f32, optics: Optics) -> Material {
     Material { phong, optics }
 }
 
-/// What the pixels of a picture see, row by row.
+/// Returns the radiance of a picture's pixels, row by row.
 fn render(scene: &Scene<Material>, eye: Vec3, method: SpawnRay) -> Vec<Vec3> {
     let camera = Camera::new(eye, Vec3::new(0.1, -0.3, 1.0), Vec3::Y, 1.5);
     let (scene, camera) = (scene.clone(), camera.expect("a camera"));

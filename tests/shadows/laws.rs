@@ -1,4 +1,4 @@
-//! What lies between a point and its light hides the light, and nothing else does.
+//! A light is occluded by objects between it and a point, and by no others.
 
 use ::plane_hit::{Object, Plane, Shape};
 use ::ray_casting::Ray;

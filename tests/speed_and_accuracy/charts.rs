@@ -1,4 +1,4 @@
-//! What a chart shows, and where.
+//! The contents of charts, and their positions.
 
 use crate::plot::axis::Axis;
 use crate::plot::{spread, svg};

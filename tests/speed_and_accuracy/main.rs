@@ -1,4 +1,4 @@
-//! What each method costs, and how wrong it is: the maps, the tables and the charts.
+//! The cost and the error of each method: the maps, the tables and the charts.
 
 mod charts;
 mod check;

@@ -105,7 +105,7 @@ fn who_is_missing_is_said_in_a_line_each() {
     assert_eq!(lines.len(), 2, "{lines:?}");
     assert!(lines[1].contains("there is no g++"), "{lines:?}");
 
-    // Found is what is called so in any of the folders.
+    // A program is found by its name in any of the folders.
     for program in ["povray", "g++"] {
         fs::write(folder.path().join(program), "").expect("a file");
     }

@@ -1,4 +1,4 @@
-//! What a file of measurements says.
+//! The files of measurements.
 
 use speed_and_accuracy::table::{Measurement, Table, three_digits};
 

@@ -1,4 +1,4 @@
-//! Whatever the scene: every pixel is finite, nothing panics, and the recursion ends.
+//! In any scene every pixel is finite, nothing panics, and the recursion ends.
 //!
 //! Ten thousand scenes of spheres that overlap, touch and contain each other, of planes, mirrors and glass,
 //! small and large, near and far, with the camera and the lights outside, inside and on the surfaces.

@@ -9,7 +9,7 @@ use canvas::{Picture, Pixel};
 use refraction::scene::{AIR, GLASS, still_life_with_glass};
 use shadow_acne::{from_surface, trace, untracked};
 
-/// How far a step leads where it should.
+/// A function that returns how far a step leads in the right direction.
 type Towards = fn(glam::Vec3, &ray_casting::Camera) -> f32;
 
 const HOME: u32 = 0xff50;

@@ -103,7 +103,7 @@ impl Sphere {
     /// Returns the outward unit normal at a `point` of the surface.
     ///
     /// [`Vec3::Y`] if rounding has put the point into the centre, or so far away that the
-    /// squares overflow: then no hit is lost for want of a normal.
+    /// squares overflow: then a hit is not lost because it has no normal.
     #[inline]
     #[must_use]
     pub fn normal(&self, point: Vec3) -> Vec3 {

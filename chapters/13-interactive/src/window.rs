@@ -11,7 +11,7 @@ use minifb::{Key, KeyRepeat, MouseButton, MouseMode, ScaleMode, Window, WindowOp
 use preview::{digit, print_error, print_line, size_on_screen};
 use std::time::{Duration, Instant};
 
-/// How many times a second keys and mouse are read, and the window is redrawn at most.
+/// The most times per second that keys and mouse are read and the window is redrawn.
 const TARGET_FPS: usize = 60;
 
 /// The speed of a walk, in units of the scene per second.

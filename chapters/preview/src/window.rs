@@ -87,7 +87,7 @@ pub fn digit(key: Key) -> Option<usize> {
     DIGITS.iter().position(|&digit| digit == key)
 }
 
-/// What the window shows, and the rows still to come.
+/// The state of the window.
 struct Preview {
     stage: &'static Stage,
     view: &'static View,

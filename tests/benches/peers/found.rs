@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 pub const POV_RAY: &str = "POV-Ray";
 pub const TINYRAYTRACER: &str = "tinyraytracer";
 
-/// What there is of theirs.
+/// The programs of others that were found.
 #[derive(Debug)]
 pub struct Peers {
     /// The program.

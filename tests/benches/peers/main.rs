@@ -30,7 +30,7 @@ const USAGE: &str =
 /// Odd, so that one is in the middle.
 const ROUNDS: usize = 7;
 
-/// What the book quotes.
+/// The table that the book includes.
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/studies/peers.md");
 
 /// The still life for POV-Ray, which follows rays as far as [`AS_POV_RAY`].
@@ -234,7 +234,7 @@ fn timed(work: impl FnOnce() -> Result<(), Error>) -> Result<f64, Error> {
     Ok(start.elapsed().as_secs_f64())
 }
 
-/// What a program says that must succeed.
+/// Returns the output of a program. An error if it does not succeed.
 fn output(command: &mut Command) -> Result<Output, Error> {
     let program = command.get_program().display().to_string();
     let output = command.output();

@@ -11,22 +11,21 @@ use shadows::{PointLight, Scene};
 /// The size of its picture.
 pub const SIZE: UVec2 = UVec2::new(1024, 768);
 
-/// How far it follows a ray: four bounces. Rays that bring next to nothing we leave out, as
-/// always.
+/// The budget of its rays: four bounces. Rays of negligible throughput are not traced, as
+/// in all chapters.
 pub const BUDGET: PathBudget = PathBudget {
     depth: 4,
     throughput: 1.0,
     min_throughput: MIN_THROUGHPUT,
 };
 
-/// Returns its four balls over a chequered board, before its camera.
+/// Returns its four balls over a checkered board, and its camera.
 ///
-/// All lengths are half of its own, for its squares have sides of 2 and ours of 1: the
-/// picture is the same. Side by side, balls, squares, shadows and highlights coincide.
-/// What differs: its board ends in the sky, and our floor at the horizon, with far more
-/// pixels to light, in the mirror and the glass as well; our glass reflects and transmits
-/// what Fresnel says, in place of .1 and .8; and where a ray is followed no farther there
-/// is black, not sky.
+/// All lengths are half of its own, as its squares have sides of 2 and ours of 1: the
+/// picture is the same. Side by side, balls, squares, shadows and highlights coincide. What
+/// differs: its board ends in the sky, and our floor at the horizon, with far more pixels
+/// to light, in the mirror and the glass as well; our glass reflects and transmits by
+/// Fresnel's equations, not .1 and .8; and a ray that is not traced is black, not sky.
 ///
 /// Source: Dmitry Sokolov, tinyraytracer (2019), whose numbers these are.
 pub fn scene() -> (Scene<Material>, Camera) {

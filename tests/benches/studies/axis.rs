@@ -13,7 +13,7 @@ pub struct Axis {
 
 impl Axis {
     /// Returns an axis that holds all values; it ends at whole decades, or a little beyond
-    /// what is less than one.
+    /// the values if they span less than one.
     #[must_use]
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let has_zero = values.contains(&0.0);

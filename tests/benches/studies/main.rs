@@ -50,7 +50,7 @@ fn measure(study: &Study) -> Result<(), Error> {
         machine: common::machine(),
         rows: (study.measure)(&Clock::RUNNING),
     };
-    // What is drawn is what is written: rounded.
+    // The charts show the numbers as they are written: rounded.
     let csv = table.to_csv();
     let table = Table::from_csv(&csv).expect("it was just written");
     let svg = plot::svg(study.title, study.charts, &table);

@@ -18,8 +18,7 @@ const ROWS: [f64; 2] = [244.0, 32.0];
 const NAMES: f64 = 674.0;
 const LINE: f64 = 17.0;
 
-/// What is not a method's: text and axes, and the grid. The page's colours, or those of a
-/// light page.
+/// The colours of text and axes, and of the grid: the page's, or those of a light page.
 const INK: &str = "var(--chart-ink, #222222)";
 const FAINT: &str = "var(--chart-faint, #cccccc)";
 

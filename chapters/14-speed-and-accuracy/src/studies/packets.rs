@@ -76,7 +76,7 @@ fn differing(right: &[Vec3], radiance: &[Vec3]) -> Option<f64> {
 }
 
 fn lanes(clock: &Clock) -> Vec<Measurement> {
-    // Its rows are whole packets, whatever their lanes.
+    // Its rows are whole packets for any number of lanes.
     let size = UVec2::new(160, 120);
     let pixels = size.element_product() as usize;
     let [single, sampled] = [1, 4].map(still_life);
