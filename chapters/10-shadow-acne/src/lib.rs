@@ -175,7 +175,7 @@ impl SurfaceRay {
 // ANCHOR_END: from-surface
 
 // ANCHOR: trace
-/// Returns the radiance along a ray, as the last `trace` does, but with `spawn` to choose
+/// Returns the radiance along a ray, as `fresnel::trace` does, but with `spawn` to choose
 /// where shadow rays, reflected and refracted rays start.
 #[must_use]
 pub fn trace(
