@@ -149,61 +149,61 @@ mod the_source {
         for name in listed {
             let (_, test) = name.split_once('-').expect("a number and a name");
             assert!(targets["bin"].contains(&name), "no program {name}");
-            assert!(targets["test"].contains(&test.replace('-', "_")), "{name}");
+            let test = test.replace('-', "_");
+            assert!(targets["test"].contains(&test), "no tests of {name}");
+            let names = tests_of(&test);
+            assert!(
+                names.iter().any(|name| name.starts_with("every_picture"))
+                    && names.len() > 3,
+                "hardly a test of {name}: {names:?}"
+            );
         }
     }
 
-    /// `cargo test` and `cargo bench` with a target that exists; with a filter, one that some test's name holds.
+    /// Every command has one of the few forms that `check_command` knows.
     #[test]
     fn names_no_command_that_runs_nothing() {
         let targets = targets();
-        let sources = rust_files(&root().join("tests"));
-        let mut problems = Vec::new();
-        let mut count = 0;
         let readme = fs::read_to_string(root().join("README.md")).expect("the README");
         let texts = pages().into_iter().map(|page| (page.clone(), read(&page)));
+        let (mut count, mut problems) = (0, Vec::new());
         for (page, text) in texts.chain([("README.md".to_string(), readme)]) {
             for command in cargo_commands(&text) {
                 count += 1;
-                let mut words = command.split_whitespace().skip(1);
-                let mut filter = None;
-                while let Some(word) = words.next() {
-                    let kind = match word {
-                        "--test" => "test",
-                        "--bench" => "bench",
-                        "--bin" => "bin",
-                        // What follows is for the program.
-                        "--" => break,
-                        _ if word.starts_with('-') => continue,
-                        _ if command.starts_with("test ") => {
-                            filter = Some(word);
-                            continue;
-                        }
-                        _ => continue,
-                    };
-                    let name = words.next().unwrap_or_default();
-                    // In a general form, as `--bin NN-NAME`.
-                    let is_general = name.chars().any(|c| c.is_ascii_uppercase());
-                    if !is_general && !targets[kind].contains(name) {
-                        problems.push(format!("{page}: cargo {command}: no {name}"));
-                    }
-                }
-                // A test's name begins with those of its modules.
-                let is_test = |filter: &str| {
-                    let mut lines = sources.iter().flat_map(|source| source.lines());
-                    lines.any(|line| {
-                        let line = line.trim();
-                        let is_name = line.starts_with("fn ") || line.starts_with("mod ");
-                        is_name && line.contains(filter)
-                    })
-                };
-                if filter.is_some_and(|filter| !is_test(filter)) {
-                    problems.push(format!("{page}: cargo {command} runs no test"));
+                if let Err(problem) = check_command(&command, &targets) {
+                    problems.push(format!("{page}: cargo {command}: {problem}"));
                 }
             }
         }
         none(&problems);
         assert!(count > 30, "only {count} commands were found");
+    }
+
+    #[test]
+    fn would_notice_a_command_that_runs_nothing() {
+        let targets = targets();
+        for command in [
+            "test packets",
+            "test --test sphere",
+            "test --test Sphere_hit",
+            "test --test=sphere_hit",
+            "test --test sphere_hit half_the_light",
+            "test --test sphere_hit -- nonsense",
+            "test --doc",
+            "-q test --test sphere_hit",
+            "t --test sphere_hit",
+            "+stable test",
+            "bench --bench studies -- nonsense",
+            "bench --bench nonsense",
+            "run --bin=00-canvas",
+            "run --bin nonsense",
+            "run --bin 00-canvas -- --view nonsense",
+        ] {
+            assert!(check_command(command, &targets).is_err(), "{command}");
+        }
+        for command in ["test", "test --test sphere_hit every_picture", "run"] {
+            assert_eq!(check_command(command, &targets), Ok(()), "{command}");
+        }
     }
 
     /// A bug is a view that its stage calls one, and every view that its chapter shows of what goes wrong.
@@ -256,12 +256,85 @@ fn targets() -> BTreeMap<&'static str, BTreeSet<String>> {
         .iter()
         .flat_map(|package| package["targets"].as_array());
     let of_kind = |kind: &'static str| {
-        let is_it = |target: &&Value| target["kind"][0] == kind;
+        // What `cargo test` leaves out does not count.
+        let is_it = |target: &&Value| {
+            target["kind"][0] == kind && (kind != "test" || target["test"] == true)
+        };
         let names = all.clone().flatten().filter(is_it);
         let names = names.filter_map(|target| Some(target["name"].as_str()?.to_string()));
         (kind, names.collect())
     };
     ["bin", "test", "bench"].map(of_kind).into()
+}
+
+/// Checks a command: `test`, `bench` or `run`, perhaps a target that exists, perhaps a filter that a test of this
+/// target holds in its name, and what the program is given, as far as that is a view or a study.
+fn check_command(
+    command: &str,
+    targets: &BTreeMap<&str, BTreeSet<String>>,
+) -> Result<(), String> {
+    let (cargo, program) = command.split_once(" -- ").unwrap_or((command, ""));
+    let words: Vec<&str> = cargo.split_whitespace().collect();
+    let words: Vec<&str> = words
+        .into_iter()
+        .filter(|word| !["--release", "--no-fail-fast"].contains(word))
+        .collect();
+    let program: Vec<&str> = program.split_whitespace().collect();
+    // The names in a general form.
+    let exists = |kind: &str, name: &str| {
+        ["NAME", "CHAPTER"].contains(&name) || targets[kind].contains(name)
+    };
+    match words[..] {
+        ["test" | "run" | "bench"] if program.is_empty() => Ok(()),
+        ["test", "--test", name] if program.is_empty() && exists("test", name) => Ok(()),
+        ["test", "--test", name, filter] if program.is_empty() => {
+            let is_one = tests_of(name).iter().any(|test| test.contains(filter));
+            is_one.then_some(()).ok_or("no such test".to_string())
+        }
+        ["bench", "--bench", name] if exists("bench", name) => match program[..] {
+            [study] if name == "studies" && studies().all(|it| it.name != study) => {
+                Err(format!("there is no study {study}"))
+            }
+            _ => Ok(()),
+        },
+        ["run", "--bin", name] if exists("bin", name) => {
+            let stage = STAGES.into_iter().find(|stage| stage.name == name);
+            match (stage, program[..].iter().position(|&word| word == "--view")) {
+                (Some(stage), Some(option)) => {
+                    let view = program.get(option + 1).copied().unwrap_or_default();
+                    let view = stage.view(view).map(|_| ());
+                    view.ok_or("no such view".to_string())
+                }
+                _ => Ok(()),
+            }
+        }
+        _ => Err("this is no form of a command that a test knows".to_string()),
+    }
+}
+
+/// The names of a target's tests, and of the modules that they stand in.
+fn tests_of(target: &str) -> Vec<String> {
+    let folder = root().join("tests").join(target);
+    let mut texts = if folder.is_dir() {
+        rust_files(&folder)
+    } else {
+        Vec::new()
+    };
+    let file = root().join("tests").join(format!("{target}.rs"));
+    texts.extend(fs::read_to_string(file));
+    let mut names = Vec::new();
+    for text in texts {
+        let mut is_test = false;
+        for line in text.lines().map(str::trim) {
+            let name = |prefix| line.strip_prefix(prefix).map(str::to_string);
+            names.extend(name("mod "));
+            if is_test {
+                names.extend(name("fn "));
+            }
+            is_test = line == "#[test]" || is_test && line.starts_with('#');
+        }
+    }
+    names
 }
 
 /// The texts of all Rust files in a folder.
@@ -278,16 +351,15 @@ fn rust_files(folder: &Path) -> Vec<String> {
     texts
 }
 
-/// What follows `cargo` in every command of a page, in a line of a console or between backticks.
+/// What follows `cargo` in every command that runs something, in a line of a console or between backticks.
 fn cargo_commands(text: &str) -> Vec<String> {
     let mut commands = Vec::new();
     for rest in text.split("cargo ").skip(1) {
         let command = rest.split(['\n', '`', '#', '&', '|', ';', ')']).next();
         let command = command.unwrap_or_default().trim();
-        if ["test", "bench", "run"]
-            .iter()
-            .any(|it| command.starts_with(it))
-        {
+        let verb = command.split(' ').next().unwrap_or_default();
+        let verbs = ["test", "bench", "run", "t", "b", "r", "nextest"];
+        if verbs.contains(&verb) || verb.starts_with(['-', '+']) {
             commands.push(command.to_string());
         }
     }

@@ -87,7 +87,7 @@ impl Vec3x16 {
     /// Writes the first lanes to `out`, [`LANES`] at the most.
     pub fn write(self, out: &mut [Vec3]) {
         let [x, y, z] = [self.x, self.y, self.z].map(Lanes::to_array);
-        for (lane, out) in out.iter_mut().enumerate() {
+        for (lane, out) in out.iter_mut().take(LANES).enumerate() {
             *out = Vec3::new(x[lane], y[lane], z[lane]);
         }
     }
