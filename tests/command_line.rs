@@ -353,7 +353,8 @@ fn what_cannot_be_saved_is_refused_with_code_1_before_anything_is_written() {
         fs::set_permissions(path, permissions).expect("a lock");
     }
     #[rustfmt::skip]
-    let cases: [(&[&str], &[&str]); 7] = [
+    let cases: [(&[&str], &[&str]); 8] = [
+        (&["--png", "two\nlines/a.png"], &["no folder two lines"]),
         (&["--png", "nowhere/a.png"], &["nowhere/a.png", "no folder nowhere", "create it"]),
         (&["--png", "locked.png/a.png"], &["no folder locked.png"]),
         (&["--png", "folder.png"], &["folder.png", "is a folder", "name a file"]),

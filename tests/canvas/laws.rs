@@ -1,8 +1,8 @@
 //! The encoding of light, against its definition by a power in f64; and a picture that is
 //! rendered in the background.
 
-use ::canvas::{Canvas, decode, spawn_render};
-use glam::{UVec2, Vec3};
+use ::canvas::{Canvas, Pixel, STAGE, decode, spawn_render};
+use glam::{UVec2, Vec2, Vec3};
 use harness::bits;
 use oracle::level;
 
@@ -106,4 +106,37 @@ fn a_picture_rendered_in_the_background_is_the_same() {
             .map(|canvas| canvas.radiance.iter().map(bits).collect::<Vec<_>>());
         assert!(written == canvas);
     }
+}
+
+/// Row by row from the top left, each once; the corners' centres are half a footprint inside the image plane.
+#[test]
+fn all_pixels_tile_the_image_plane() {
+    let size = UVec2::new(7, 3);
+    let all: Vec<Pixel> = Pixel::all(size).collect();
+    assert_eq!(all.len(), 21);
+    for (i, pixel) in (0..).zip(&all) {
+        assert_eq!((pixel.x, pixel.y, pixel.size), (i % 7, i / 7, size));
+    }
+    let half = Vec2::splat(all[0].footprint() / 2.0);
+    let corner = all[0].centre() + Vec2::new(-half.x, half.y);
+    assert!(
+        corner.distance(Vec2::new(-7.0 / 3.0, 1.0)) < 1e-6,
+        "{corner}"
+    );
+    let corner = all[20].centre() + Vec2::new(half.x, -half.y);
+    assert!(
+        corner.distance(Vec2::new(7.0 / 3.0, -1.0)) < 1e-6,
+        "{corner}"
+    );
+}
+
+#[test]
+fn a_saved_picture_is_read_again_pixel_for_pixel() {
+    let canvas = Canvas::render(&(STAGE.hero().picture)(0.0), UVec2::new(23, 11));
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("picture.png");
+    canvas.save(&path).expect("a PNG");
+    let read = image::open(&path).expect("a PNG").into_rgb8();
+    assert_eq!(read.dimensions(), (23, 11));
+    assert_eq!(read.into_raw(), canvas.levels.as_flattened());
 }

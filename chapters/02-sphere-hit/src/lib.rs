@@ -72,8 +72,8 @@ impl Sphere {
     /// closest approach to the centre. `None` if there is no such hit, or if the ray or the
     /// sphere is not finite.
     ///
-    /// The direction need not be a unit vector; the distance is in units of its length. A
-    /// zero direction hits nothing.
+    /// The direction need not be a unit vector, as long as the square of its length is a normal
+    /// f32; the distance is in units of its length. A zero direction hits nothing.
     ///
     /// Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems (2019), ch. 7.

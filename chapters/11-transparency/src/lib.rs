@@ -85,7 +85,10 @@ fn transmittance_along(
 }
 
 /// Returns the length of the part of a ray, from its origin to `distance`, that lies inside
-/// the object with this index.
+/// the sphere with this index.
+///
+/// Of a plane, whose inside is what lies behind it, only the part of a ray that comes from in
+/// front is found: a ray that starts behind the plane gives 0.
 #[must_use]
 pub fn path_length_inside<M>(
     objects: &[Object<M>],

@@ -1,0 +1,89 @@
+//! The harness can fail: each of its checks, given something that is almost right.
+
+use canvas::{Knob, Picture, STAGE, Scale, Stage, View};
+use glam::Vec3;
+use harness::{Numbers, check_pictures, check_threads};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::thread;
+
+/// The canvas's first picture, but for one pixel that is a level too blue.
+fn one_pixel_off() -> Picture {
+    let right = (STAGE.hero().picture)(0.0);
+    Picture::new(move |pixel| {
+        let radiance = right.radiance(pixel);
+        if (pixel.x, pixel.y) == (3, 5) {
+            radiance + 0.004 * Vec3::Z
+        } else {
+            radiance
+        }
+    })
+}
+
+fn stage(views: &'static [View]) -> Stage {
+    Stage {
+        hero: "gradient",
+        views,
+        ..STAGE
+    }
+}
+
+#[test]
+fn a_picture_is_checked_that_is_right() {
+    check_pictures(&STAGE);
+    check_threads(&STAGE);
+}
+
+#[test]
+#[should_panic = "1 of 480000 pixels differ"]
+fn a_pixel_that_is_a_level_off_is_seen() {
+    check_pictures(&stage(&[View {
+        name: "gradient",
+        caption: "",
+        knob: None,
+        picture: |_| one_pixel_off(),
+    }]));
+}
+
+#[test]
+#[should_panic = "the book has no such picture yet"]
+fn a_picture_that_the_book_has_not_is_seen_at_every_setting() {
+    check_pictures(&stage(&[View {
+        name: "gradient",
+        caption: "",
+        knob: Some(Knob {
+            name: "",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.0,
+            scale: Scale::Whole,
+            snapshot_settings: &[1.0],
+        }),
+        picture: |_| (STAGE.hero().picture)(0.0),
+    }]));
+}
+
+#[test]
+#[should_panic = "assertion `left == right` failed"]
+fn a_picture_that_depends_on_its_thread_is_seen() {
+    check_threads(&stage(&[View {
+        name: "gradient",
+        caption: "",
+        knob: None,
+        picture: |_| {
+            Picture::new(|_| {
+                let mut hasher = DefaultHasher::new();
+                thread::current().id().hash(&mut hasher);
+                Vec3::splat((hasher.finish() % 1000) as f32)
+            })
+        },
+    }]));
+}
+
+#[test]
+#[should_panic = "snapshot assertion"]
+fn a_number_that_is_not_the_books_is_seen() {
+    let mut numbers = Numbers::default();
+    numbers.note("levels", "another number");
+    numbers.check(STAGE.name);
+}
