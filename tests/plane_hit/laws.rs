@@ -298,3 +298,14 @@ proptest! {
         }
     }
 }
+
+/// On the side of the normal that the plane was given, of length 1.
+#[test]
+fn a_planes_outward_normal_is_the_one_that_it_was_given() {
+    let plane = Shape::plane(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.0, 3.0, -4.0));
+    let normal = plane.normal(Vec3::new(-5.0, 7.0, 9.0));
+    assert!(
+        normal.distance(Vec3::new(0.0, 0.6, -0.8)) < 1e-7,
+        "{normal}"
+    );
+}

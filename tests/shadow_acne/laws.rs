@@ -628,3 +628,25 @@ fn a_scene_of_any_size_has_the_same_hits_and_shadows() {
         assert!(hits_and_shadows(scale) == as_it_is, "{scale}");
     }
 }
+
+/// The exit is 2 away, and counts only before `t_max`.
+#[test]
+fn an_exit_beyond_the_light_does_not_count() {
+    let ball = Shape::sphere(Vec3::ZERO, 1.0);
+    let ray = spawn(from_surface, &ball, Vec3::Y, Vec3::Y, Vec3::NEG_Y);
+    assert_eq!(ray.distance(0, &ball, 2.5), Some(2.0));
+    assert_eq!(ray.distance(0, &ball, 1.5), None);
+}
+
+/// A hit that rounding has put a thousandth above a plane, or below it.
+#[test]
+fn a_ray_from_a_plane_starts_on_it() {
+    let normal = Vec3::new(0.6, 0.8, 0.0);
+    let plane = Shape::plane(Vec3::new(1.0, 2.0, 3.0), normal);
+    for height in [1e-3, -1e-3] {
+        let on_it = Vec3::new(1.0, 2.0, 3.0) + 5.0 * Vec3::new(0.8, -0.6, 1.0);
+        let point = on_it + height * normal;
+        let ray = spawn(from_surface, &plane, point, normal, Vec3::Y);
+        assert!(ray.ray.origin.distance(on_it) < 1e-5, "{}", ray.ray.origin);
+    }
+}

@@ -2,6 +2,7 @@
 
 use ::plane_hit::{Object, Plane, Shape};
 use ::ray_casting::Ray;
+use ::shadows::scene::lit_still_life;
 use ::shadows::{
     Interaction, PointLight, SHADOW_BIAS, STAGE, Scene, is_occluded, is_visible,
     is_visible_buggy,
@@ -279,4 +280,17 @@ fn the_shadow_of_a_ball_beyond_the_light_is_in_the_buggy_view_alone() {
     assert_eq!(wrongly_lit, 0);
     // Measured: 4, all at the edge of a shadow, which the bias moves.
     assert!(cure_differs <= 8, "{cure_differs}");
+}
+
+#[test]
+fn a_scene_with_other_materials_keeps_all_else() {
+    let scene = lit_still_life([1, 2, 3, 4, 5, 6]);
+    let mapped = scene.clone().map(|material| 10 * material);
+    assert_eq!(mapped.lights, scene.lights);
+    assert_eq!(mapped.background, scene.background);
+    assert_eq!(mapped.objects.len(), scene.objects.len());
+    for (object, mapped) in scene.objects.iter().zip(mapped.objects) {
+        assert_eq!((mapped.name, mapped.shape), (object.name, object.shape));
+        assert_eq!(mapped.material, 10 * object.material);
+    }
 }
