@@ -1,7 +1,7 @@
 //! The encoding of light, against its definition by a power in f64; and a picture that is
 //! rendered in the background.
 
-use ::canvas::{Canvas, Pixel, STAGE, decode, spawn_render};
+use ::canvas::{Canvas, Picture, Pixel, STAGE, decode, spawn_render};
 use glam::{UVec2, Vec2, Vec3};
 use harness::bits;
 use oracle::level;
@@ -41,17 +41,41 @@ fn every_level_begins_where_the_definition_says() {
     }
 }
 
-/// Decoding gives the least light of a level, so the number just below belongs to the level
-/// below.
+/// Decoding gives the middle of a level: to f32's rounding, the light that is encoded to the
+/// level exactly.
 #[test]
 fn a_decoded_level_is_encoded_to_itself() {
-    assert_eq!(decode(0), 0.0);
-    for level in 1..=255 {
-        let least = decode(level);
-        assert_eq!(
-            (encode(least), encode(least.next_down())),
-            (level, level - 1)
-        );
+    assert_eq!((decode(0), decode(255)), (0.0, 1.0));
+    for i in 0..=255 {
+        let light = decode(i);
+        assert_eq!(encode(light), i);
+        assert!((level(f64::from(light)) - f64::from(i)).abs() < 1e-4);
+    }
+}
+
+/// Their sum is rounded for each of them, which moves it over no threshold.
+#[test]
+fn the_mean_of_up_to_1024_equal_decoded_lights_has_the_same_level() {
+    for i in 0..=255 {
+        let light = decode(i);
+        let mut sum = 0.0;
+        for n in 1..=1024_u16 {
+            sum += light;
+            assert_eq!(encode(sum / f32::from(n)), i, "{n} times level {i}");
+        }
+    }
+}
+
+/// In either direction; and its rows, which are none, or empty.
+#[test]
+fn a_picture_without_a_pixel_is_an_empty_canvas() {
+    let picture = || Picture::new(|_| unreachable!("there is no pixel"));
+    for size in [(0, 5), (5, 0), (0, 0)].map(UVec2::from) {
+        let canvas = Canvas::render(&picture(), size);
+        assert_eq!((canvas.size, canvas.rays), (size, 0));
+        assert!(canvas.radiance.is_empty() && canvas.levels.is_empty());
+        let rows = spawn_render(picture(), size);
+        assert!(rows.iter().all(|row| row.levels.is_empty()));
     }
 }
 

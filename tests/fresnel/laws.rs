@@ -263,7 +263,8 @@ proptest! {
     ) {
         let [incident, outward] = [incident, outward].map(|v| v.as_vec3());
         let normal = face_forward(outward, incident);
-        let at = Interaction { index: 0, t: 1.0, point: Vec3::ZERO, incident, outward, normal };
+        let (shape, point) = (Shape::plane(Vec3::ZERO, outward), Vec3::ZERO);
+        let at = Interaction { index: 0, shape, t: 1.0, point, incident, outward, normal };
         let reflected = reflect(incident, normal);
 
         let opaque = scatter(&Optics::Opaque { reflectivity }, &at, fresnel);
@@ -292,6 +293,7 @@ proptest! {
 fn a_surface_without_reflectivity_scatters_nothing() {
     let at = Interaction {
         index: 0,
+        shape: Shape::plane(Vec3::ZERO, Vec3::Y),
         t: 1.0,
         point: Vec3::ZERO,
         incident: Vec3::NEG_Y,
@@ -420,8 +422,8 @@ fn in_a_uniform_sky_a_ball_of_glass_is_invisible() {
 }
 
 /// A least throughput of 10⁻³ is at most 1.5 levels from a reference of 200 bounces and 10⁻⁶.
-/// Measured: 0.89, for 2.8 rays per pixel; and 0.31 for the usual budget, 64 bounces and 1/2048,
-/// for as many. By a depth alone, five bounces are 15 levels off, for 3.1 rays.
+/// Measured: 0.89, for 2.8 rays per pixel; and 0.02 for the usual budget, for 3.2. By a depth
+/// alone, five bounces are 15 levels off, for 3.1 rays.
 #[test]
 fn in_a_ball_of_glass_a_least_throughput_is_exact_and_a_depth_of_five_is_not() {
     let canvas = |depth, min_throughput| {
@@ -430,8 +432,9 @@ fn in_a_ball_of_glass_a_least_throughput_is_exact_and_a_depth_of_five_is_not() {
     };
     let reference = canvas(200, 1e-6);
     let [shallow, usual] = [canvas(5, 0.0), canvas(MAX_DEPTH, MIN_THROUGHPUT)];
-    assert!(largest_difference(&canvas(200, 1e-3), &reference) <= 1.5);
-    assert!(largest_difference(&usual, &reference) <= 0.5);
+    let coarse = canvas(200, 1e-3);
+    assert!(largest_difference(&coarse, &reference) <= 1.5);
+    assert!(largest_difference(&usual, &reference) <= 0.125);
     assert!(largest_difference(&shallow, &reference) > 10.0);
-    assert!(usual.rays < shallow.rays);
+    assert!(coarse.rays < shallow.rays);
 }

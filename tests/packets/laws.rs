@@ -15,6 +15,7 @@ use refraction::scene::{AIR, GLASS, still_life_with_glass};
 use refraction::{Material, Optics};
 use shading::Phong;
 use shadows::Scene;
+use sphere_hit::Sphere;
 
 /// The bits of a picture, and the number of rays traced for it.
 fn bits(picture: &Picture, size: UVec2) -> (Vec<[u32; 3]>, u64) {
@@ -161,7 +162,8 @@ fn so_have_the_strangest_scenes() {
         (0.0, 1e-30),
         (0.0, 1e-22),
     ] {
-        let shape = Shape::sphere(Vec3::splat(centre), radius);
+        let centre = Vec3::splat(centre);
+        let shape = Shape::Sphere(Sphere { centre, radius });
         with(&|scene| scene.objects[5].shape = shape);
         with(&|scene| scene.objects[2].shape = shape);
     }

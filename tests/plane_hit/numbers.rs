@@ -66,7 +66,8 @@ fn offset() -> String {
         direction: -normal,
     };
     let point = Vec3::new(-8e5, 6e5, 0.0);
-    let t = Plane { point, normal }.distance(&ray, T_MAX);
+    let plane = Plane::new(point, normal).expect("a plane");
+    let t = plane.distance(&ray, T_MAX);
     let h = point.dot(normal);
     let stored = (h - ray.origin.dot(normal)) / ray.direction.dot(normal);
     table(

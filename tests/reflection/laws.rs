@@ -251,7 +251,6 @@ fn two_facing_mirrors_add_up_to_the_closed_form() {
 fn a_budget_ends_with_its_bounces_or_its_throughput() {
     let camera = PathBudget::new(MAX_DEPTH);
     assert_eq!(camera, budget(64, MIN_THROUGHPUT));
-    assert_eq!(MIN_THROUGHPUT, 1.0 / 2048.0);
     let half = PathBudget {
         throughput: 0.5,
         ..budget(63, MIN_THROUGHPUT)
@@ -280,14 +279,51 @@ fn rays(reflectivity: f32, budget: PathBudget) -> u64 {
     rays_so_far() - before
 }
 
-/// One for the camera, and one for each bounce that contributes enough: of halves, 1/2¹⁰ is
-/// the last above 1/2048. A surface without reflectivity takes no further ray.
+/// One for the camera, and one for each bounce that contributes enough: of halves, 1/2¹⁴ is
+/// the last above 1/2¹⁵. A surface without reflectivity takes no further ray.
 #[test]
 fn every_ray_that_contributes_enough_is_traced_once() {
     assert_eq!(rays(0.0, budget(64, 0.0)), 1);
-    assert_eq!(rays(0.5, PathBudget::new(64)), 11);
+    assert_eq!(rays(0.5, PathBudget::new(64)), 15);
     assert_eq!(rays(0.5, PathBudget::new(3)), 4);
     assert_eq!(rays(0.9, budget(20, 0.0)), 21);
+}
+
+/// Between perfect mirrors, whatever depth is asked for: the stack must not overflow.
+#[test]
+fn a_new_budget_has_no_more_than_the_greatest_depth() {
+    for depth in [0, 1, MAX_DEPTH, MAX_DEPTH + 1, 5000, u32::MAX] {
+        let expected = depth.min(MAX_DEPTH);
+        assert_eq!(PathBudget::new(depth).depth, expected);
+        assert_eq!(rays(1.0, PathBudget::new(depth)), u64::from(expected) + 1);
+    }
+}
+
+/// The least throughput is a tenth of the least step between levels: what a ray at this
+/// throughput contributes in the dark, to a screen that shows white at most, cannot be seen.
+#[test]
+fn light_at_the_least_throughput_is_less_than_an_eighth_of_a_level() {
+    let levels = 12.92 * 255.0;
+    assert!(f64::from(MIN_THROUGHPUT) * levels < 1.0 / 8.0);
+    // A mirror of 1/2048 on black under a white sky: 12.92 · 255 / 2048 = 1.6.
+    let mirror = Object {
+        name: "mirror",
+        shape: Shape::plane(Vec3::ZERO, Vec3::Z),
+        material: Mirror {
+            phong: Phong {
+                ambient: 0.0,
+                ..ambient_mirror(0.0).phong
+            },
+            reflectivity: 1.0 / 2048.0,
+        },
+    };
+    let scene = Scene::new(vec![mirror], vec![], Vec3::ONE).expect("one surface");
+    let ray = Ray {
+        origin: Vec3::Z,
+        direction: Vec3::NEG_Z,
+    };
+    let radiance = trace(&scene, &ray, PathBudget::new(MAX_DEPTH));
+    assert_eq!(canvas::encode(radiance), [2; 3]);
 }
 
 /// The throughput of a perfect mirror's ray stays 1, and only the depth ends it.

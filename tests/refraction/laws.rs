@@ -1,6 +1,6 @@
 //! Refracted directions, total internal reflection, and the path of light through a ball.
 
-use ::plane_hit::nearest;
+use ::plane_hit::{Shape, nearest};
 use ::ray_casting::scene::still_life_camera;
 use ::ray_casting::{Camera, Ray};
 use ::reflection::{MAX_DEPTH, PathBudget, reflect};
@@ -22,6 +22,7 @@ use std::f32::consts::FRAC_1_SQRT_2;
 fn at(incident: Vec3, outward: Vec3) -> Interaction {
     Interaction {
         index: 0,
+        shape: Shape::plane(Vec3::ZERO, outward),
         t: 1.0,
         point: Vec3::ZERO,
         incident,

@@ -241,20 +241,21 @@ fn a_fixed_offset_fails_at_both_ends() {
 /// The ray by which a method leaves a point of a shape, the only one in its scene.
 fn spawn(
     method: SpawnRay,
-    shape: &Shape,
+    shape: Shape,
     point: Vec3,
     outward: Vec3,
     direction: Vec3,
 ) -> SurfaceRay {
     let at = Interaction {
         index: 0,
+        shape,
         t: 1.0,
         point,
         incident: -direction,
         outward,
         normal: face_forward(outward, -direction),
     };
-    method(shape, &at, direction)
+    method(&at, direction)
 }
 
 fn object<M>(shape: Shape, material: M) -> Object<M> {
@@ -280,8 +281,9 @@ fn is_lit(x: f32, scale: f32, method: SpawnRay) -> bool {
     let point = scale * x * Vec3::X;
     let to_light = scale * 10.0 * Vec3::Y - point;
     let direction = to_light.normalize();
-    let shadow_ray = spawn(method, &objects[0].shape, point, Vec3::Y, direction);
-    !shadow_ray.is_occluded(&objects, to_light.length())
+    let shadow_ray = spawn(method, objects[0].shape, point, Vec3::Y, direction);
+    let light = scale * 10.0 * Vec3::Y;
+    !shadow_ray.is_occluded(&objects, light, to_light.length())
 }
 
 /// The shadow's radius is 10/√80 = 1.11803399, for the ray that touches the ball has sin = 1/9. At
@@ -319,7 +321,7 @@ fn chords(sine: f64, method: SpawnRay) -> (usize, f64) {
         let out = unit(i);
         let along = (1.0 - sine * sine).sqrt() * out.any_orthonormal_vector();
         let (normal, direction) = (out.as_vec3(), (along - sine * out).as_vec3());
-        let ray = spawn(method, &ball, normal, normal, direction);
+        let ray = spawn(method, ball, normal, normal, direction);
         let t = ray.distance(0, &ball, T_MAX);
         match t.map(|t| (f64::from(t) - 2.0 * sine).abs()) {
             Some(error) if error <= 0.1 * 2.0 * sine => largest = largest.max(error),
@@ -375,7 +377,7 @@ fn a_short_chord_in_glass_is_wrong_with_fixed_offset() {
     }
     let ball = Shape::sphere(Vec3::ZERO, 1.0);
     let direction = Vec3::new(1.0, -1e-4, 0.0);
-    let ray = spawn(with_fixed_offset, &ball, Vec3::Y, Vec3::Y, direction);
+    let ray = spawn(with_fixed_offset, ball, Vec3::Y, Vec3::Y, direction);
     let t = ray.distance(0, &ball, T_MAX).expect("a chord");
     assert!(t > 70.0 * 2e-4, "{t}");
 }
@@ -386,7 +388,7 @@ fn a_fixed_offset_jumps_right_through_a_tiny_ball() {
     let ball = Shape::sphere(Vec3::ZERO, 0.4 * SHADOW_BIAS);
     let pole = 0.4 * SHADOW_BIAS * Vec3::Y;
     let distance = |method: SpawnRay| {
-        spawn(method, &ball, pole, Vec3::Y, Vec3::NEG_Y).distance(0, &ball, T_MAX)
+        spawn(method, ball, pole, Vec3::Y, Vec3::NEG_Y).distance(0, &ball, T_MAX)
     };
     assert_eq!(distance(with_fixed_offset), None);
     assert_eq!(distance(from_surface), Some(2.0 * pole.y));
@@ -416,7 +418,7 @@ fn a_room_is_crossed_from_wall_to_wall() {
             let [out, to] = [unit(i), unit(7 * i + 3)];
             let room = Shape::sphere(scale * Vec3::X, scale);
             let point = scale * Vec3::X + scale * out.as_vec3();
-            let ray = spawn(from_surface, &room, point, out.as_vec3(), to.as_vec3());
+            let ray = spawn(from_surface, room, point, out.as_vec3(), to.as_vec3());
             let length = -2.0 * out.dot(to);
             let bound = 12.0 * f64::from(f32::EPSILON);
             match ray.distance(0, &room, T_MAX) {
@@ -438,7 +440,7 @@ fn a_plane_is_never_hit_again() {
     for i in 0..CHORDS {
         let [normal, to] = [unit(i), unit(7 * i + 3)].map(|v| v.as_vec3());
         let plane = Shape::plane(1e3 * unit(3 * i + 1).as_vec3(), normal);
-        let ray = spawn(from_surface, &plane, 5.0 * to, normal, to);
+        let ray = spawn(from_surface, plane, 5.0 * to, normal, to);
         assert_eq!(ray.distance(0, &plane, T_MAX), None);
     }
 }
@@ -607,9 +609,8 @@ fn hits_and_shadows(scale: f32) -> Vec<Option<(usize, [bool; 2])>> {
         let at = untracked(camera.ray(pixel.centre())).intersect(&scene.objects)?;
         let is_visible = |light: &PointLight| {
             let to_light = light.position - at.point;
-            let shape = &scene.objects[at.index].shape;
-            let shadow_ray = from_surface(shape, &at, to_light.normalize());
-            !shadow_ray.is_occluded(&scene.objects, to_light.length())
+            let shadow_ray = from_surface(&at, to_light.normalize());
+            !shadow_ray.is_occluded(&scene.objects, light.position, to_light.length())
         };
         let lights = [&scene.lights[0], &scene.lights[1]];
         Some((at.index, lights.map(is_visible)))
@@ -633,7 +634,7 @@ fn a_scene_of_any_size_has_the_same_hits_and_shadows() {
 #[test]
 fn an_exit_beyond_the_light_does_not_count() {
     let ball = Shape::sphere(Vec3::ZERO, 1.0);
-    let ray = spawn(from_surface, &ball, Vec3::Y, Vec3::Y, Vec3::NEG_Y);
+    let ray = spawn(from_surface, ball, Vec3::Y, Vec3::Y, Vec3::NEG_Y);
     assert_eq!(ray.distance(0, &ball, 2.5), Some(2.0));
     assert_eq!(ray.distance(0, &ball, 1.5), None);
 }
@@ -646,7 +647,7 @@ fn a_ray_from_a_plane_starts_on_it() {
     for height in [1e-3, -1e-3] {
         let on_it = Vec3::new(1.0, 2.0, 3.0) + 5.0 * Vec3::new(0.8, -0.6, 1.0);
         let point = on_it + height * normal;
-        let ray = spawn(from_surface, &plane, point, normal, Vec3::Y);
+        let ray = spawn(from_surface, plane, point, normal, Vec3::Y);
         assert!(ray.ray.origin.distance(on_it) < 1e-5, "{}", ray.ray.origin);
     }
 }

@@ -36,6 +36,7 @@ fn shadow_radius(scale: f32, spawn: SpawnRay) -> f64 {
         let middle = (dark + lit) / 2.0;
         let at = Interaction {
             index: 0,
+            shape: floor,
             t: 1.0,
             point: middle * Vec3::X,
             incident: Vec3::NEG_Y,
@@ -43,7 +44,7 @@ fn shadow_radius(scale: f32, spawn: SpawnRay) -> f64 {
             normal: Vec3::Y,
         };
         let to_light = light - at.point;
-        let ray = spawn(&floor, &at, to_light.normalize());
+        let ray = spawn(&at, to_light.normalize());
         if ray.distance(1, &ball, to_light.length()).is_some() {
             dark = middle;
         } else {

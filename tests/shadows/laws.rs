@@ -4,8 +4,8 @@ use ::plane_hit::{Object, Plane, Shape};
 use ::ray_casting::Ray;
 use ::shadows::scene::lit_still_life;
 use ::shadows::{
-    Interaction, PointLight, SHADOW_BIAS, STAGE, Scene, is_occluded, is_visible,
-    is_visible_buggy,
+    Interaction, PointLight, SHADOW_BIAS, STAGE, Scene, is_occluded, is_on_surface,
+    is_visible, is_visible_buggy,
 };
 use ::sphere_hit::{Sphere, T_MAX};
 use canvas::rays_so_far;
@@ -41,10 +41,20 @@ fn ball_above_floor(height: f32, scale: f32) -> Scene<()> {
     }
 }
 
-/// Returns the hit of a ray that comes straight down on a surface.
+/// Returns a plane of any numbers, whether or not [`Plane::new`] would accept them.
+fn plane(point: Vec3, normal: Vec3) -> Plane {
+    Plane {
+        point,
+        normal,
+        axes: [Vec3::X, Vec3::Z],
+    }
+}
+
+/// Returns the hit of a ray that comes straight down on a plane.
 fn at(point: Vec3, normal: Vec3) -> Interaction {
     Interaction {
         index: 0,
+        shape: Shape::Plane(plane(point, normal)),
         t: 1.0,
         point,
         incident: -normal,
@@ -101,15 +111,17 @@ fn a_ball_just_before_the_light_casts_a_shadow() {
     ));
 }
 
-/// Below the floor, at the point itself, and where the shadow ray would start.
+/// Below the floor, or at the point itself. Above it, it is visible from however near, even
+/// from below the start of the shadow ray.
 #[test]
-fn a_light_behind_the_surface_is_not_visible() {
+fn a_light_is_visible_above_the_surface_and_not_below() {
     let scene = ball_above_floor(1.0, 1.0);
     let at = at(3.0 * Vec3::X, Vec3::Y);
     let is_visible = |y| is_visible(&scene, &at, &light(vec3(3.0, y, 0.0)));
     assert!(!is_visible(-1.0));
     assert!(!is_visible(0.0));
-    assert!(!is_visible(SHADOW_BIAS));
+    assert!(is_visible(SHADOW_BIAS / 2.0));
+    assert!(is_visible(SHADOW_BIAS));
     assert!(is_visible(0.01));
 }
 
@@ -124,7 +136,11 @@ fn a_ball_is_in_its_own_shadow_just_beyond_the_terminator() {
     let light = light(vec3(100.0, 1.0, 0.0));
     for (sine, expected) in [(0.02_f32, true), (0.005, false), (-0.01, false)] {
         let normal = vec3(sine, 0.0, (1.0 - sine * sine).sqrt());
-        let at = at(Vec3::Y + normal, normal);
+        let shape = scene.objects[1].shape;
+        let at = Interaction {
+            shape,
+            ..at(Vec3::Y + normal, normal)
+        };
         assert_eq!(is_visible(&scene, &at, &light), expected);
     }
 }
@@ -163,6 +179,7 @@ fn an_interaction_has_the_point_and_the_normals_of_the_hit() {
         let incident = ray.direction;
         let expected = Interaction {
             index: 1,
+            shape: objects[1].shape,
             t,
             point,
             incident,
@@ -188,7 +205,7 @@ proptest! {
         let scene = Scene {
             objects: vec![
                 object(Shape::Sphere(Sphere { centre, radius })),
-                object(Shape::Plane(Plane { point: plane_point, normal: plane_normal })),
+                object(Shape::Plane(plane(plane_point, plane_normal))),
             ],
             lights: vec![],
             background: Vec3::ZERO,
@@ -203,20 +220,22 @@ proptest! {
         );
     }
 
-    /// Zero, subnormal, huge, infinite and NaN in every field.
+    /// Zero, subnormal, huge, infinite and NaN in every field; the light is on no surface.
     #[test]
     fn a_ray_is_occluded_if_and_only_if_an_object_has_a_distance(
         origin in special_vector(), direction in special_vector(), centre in special_vector(),
         radius in special(), point in special_vector(), normal in special_vector(),
-        t_max in special(),
+        t_max in special(), light in special_vector(),
     ) {
         let sphere = Shape::Sphere(Sphere { centre, radius });
-        let plane = Shape::Plane(Plane { point, normal });
+        let plane = Shape::Plane(plane(point, normal));
         let ray = Ray { origin, direction };
         let has_distance = |shape: &Shape| shape.distance(&ray, t_max).is_some();
         let expected = has_distance(&sphere) || has_distance(&plane);
+        prop_assume!(!is_on_surface(&sphere, light) && !is_on_surface(&plane, light));
+        let objects = [sphere, plane].map(object);
         let before = rays_so_far();
-        prop_assert_eq!(is_occluded(&[sphere, plane].map(object), &ray, t_max), expected);
+        prop_assert_eq!(is_occluded(&objects, &ray, light, t_max), expected);
         prop_assert_eq!(rays_so_far() - before, 1);
     }
 }

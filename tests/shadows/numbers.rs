@@ -78,6 +78,7 @@ fn shadow_radius(scale: f32) -> f32 {
         let middle = (dark + lit) / 2.0;
         let at = Interaction {
             index: 1,
+            shape: floor,
             t: 1.0,
             point: middle * Vec3::X,
             incident: Vec3::NEG_Y,

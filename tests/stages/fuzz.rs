@@ -14,7 +14,7 @@ use reflection::{MAX_DEPTH, MIN_THROUGHPUT, Mirror, PathBudget};
 use refraction::{Material, Optics, refract_or_reflect};
 use shading::Phong;
 use shadow_acne::{
-    SpawnRay, from_surface, untracked, with_fixed_offset, with_scaled_offset,
+    SpawnRay, from_eye, from_surface, with_fixed_offset, with_scaled_offset,
     without_offset,
 };
 use shadows::{PointLight, Scene};
@@ -62,7 +62,7 @@ fn spawned_by(
 ) -> Picture {
     let scene = scene.clone().map(|absorbing| absorbing.material);
     Picture::new(move |pixel| {
-        let ray = untracked(camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
         ::shadow_acne::trace(&scene, &ray, budget, spawn)
     })
 }
@@ -70,7 +70,12 @@ fn spawned_by(
 fn transparency(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) -> Picture {
     let scene = scene.clone();
     Picture::new(move |pixel| {
-        ::transparency::trace(&scene, &untracked(camera.ray(pixel.centre())), budget)
+        ::transparency::trace(
+            &scene,
+            &from_eye(&scene.objects, camera.ray(pixel.centre())),
+            budget,
+            ::transparency::between_media,
+        )
     })
 }
 

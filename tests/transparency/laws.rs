@@ -10,7 +10,7 @@ use ::shadows::{Interaction, Scene};
 use ::sphere_hit::face_forward;
 use ::transparency::scene::AMBER;
 use ::transparency::{
-    Absorbing, STAGE, path_length_inside, shadow_transmittance, trace, transmittance,
+    Absorbing, STAGE, between_media, shadow_transmittance, trace, transmittance,
 };
 use canvas::rays_so_far;
 use glam::{DVec3, UVec2, Vec3, vec3};
@@ -119,7 +119,7 @@ fn between(scene: &Scene<Absorbing>, from: Vec3, to: Vec3) -> DVec3 {
         origin: from,
         direction,
     };
-    shadow_transmittance(scene, &untracked(ray), distance).as_dvec3()
+    shadow_transmittance(scene, &untracked(ray), to, distance).as_dvec3()
 }
 
 /// Returns whether this is the transmittance of amber of some thickness, up to what the exponent
@@ -166,18 +166,19 @@ fn a_light_inside_the_glass_shines_through_the_part_of_it_on_the_path() {
 #[test]
 fn from_the_surface_light_leaves_the_glass_or_passes_through_it() {
     let scene = scene(vec![amber(ball(Vec3::ZERO, 1.0))]);
-    let glass = &scene.objects[0].shape;
     let from = |direction: Vec3| {
         let at = Interaction {
             index: 0,
+            shape: scene.objects[0].shape,
             t: 1.0,
             point: Vec3::X,
             incident: -direction,
             outward: Vec3::X,
             normal: face_forward(Vec3::X, -direction),
         };
-        let ray = from_surface(glass, &at, direction);
-        shadow_transmittance(&scene, &ray, 10.0).as_dvec3()
+        let ray = from_surface(&at, direction);
+        let light = Vec3::X + 10.0 * direction;
+        shadow_transmittance(&scene, &ray, light, 10.0).as_dvec3()
     };
     assert_eq!(from(Vec3::X), DVec3::ONE);
     assert!(is_amber(from(Vec3::NEG_X), 2.0));
@@ -240,7 +241,7 @@ fn straight_on(scene: &Scene<Absorbing>) -> DVec3 {
         throughput: 1.0,
         min_throughput: 0.0,
     };
-    trace(scene, &untracked(ray), budget).as_dvec3()
+    trace(scene, &untracked(ray), budget, between_media).as_dvec3()
 }
 
 /// An opaque object before the glass or behind it occludes the light; beyond the light it does
@@ -298,11 +299,6 @@ proptest! {
         // At a grazing chord the rounding of the closest approach counts by its root.
         let absorbed = between(&scene, from, to).x;
         prop_assert!((absorbed - exactly(Vec3::X, exact).x).abs() <= 2e-3, "{absorbed}");
-
-        let (direction, distance) = (to - from).normalize_and_length();
-        let ray = untracked(Ray { origin: from, direction });
-        let path = path_length_inside(&scene.objects, 0, &ray, distance);
-        prop_assert!((f64::from(path) - exact).abs() <= 4e-3, "{path} {exact}");
     }
 }
 
@@ -310,12 +306,10 @@ proptest! {
     #![proptest_config(cases(20_000))]
 
     /// At 1 − δ radii from the centre a ray has a chord of √(8 δ), give or take the rounding of δ,
-    /// some ε for each of its four radii: no more than that is absorbed. Nearer than 2·10⁻⁶ to
-    /// the edge, the sign of N·I does not tell entering from leaving, and one ray in a hundred
-    /// loses as much as if it had been in the glass all along: a ten-thousandth of a pixel.
+    /// some ε for each of its four radii: no more than that is absorbed.
     #[test]
     fn little_is_absorbed_along_a_grazing_ray(
-        along in unit_vector(), delta in magnitude(-5.5..-1.0)
+        along in unit_vector(), delta in magnitude(-9.0..-1.0)
     ) {
         let scene = scene(vec![object(ball(Vec3::ZERO, 1.0), CLEAR, Vec3::ONE)]);
         let aside = (1.0 - delta) * along.any_orthonormal_vector();
@@ -339,7 +333,7 @@ fn colourless_glass_differs_from_the_last_chapter_in_its_shadow_alone() {
     let camera = oracle::still_life_camera();
     let deep = Limit {
         bounces: 100,
-        min_throughput: 1e-4,
+        min_throughput: 1e-5,
     };
     let centres = oracle::pixel_centres(size.to_array());
     let mut count = 0;

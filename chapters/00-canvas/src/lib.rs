@@ -125,11 +125,13 @@ impl Canvas {
         }
     }
 
-    /// Renders `picture` on all cores. The result does not depend on their number.
+    /// Renders `picture` on all cores. The result does not depend on their number. A size
+    /// of 0 in either direction gives an empty canvas.
     #[must_use]
     pub fn render(picture: &Picture, size: UVec2) -> Self {
         let mut canvas = Self::black(size);
-        let width = size.x as usize;
+        // A chunk of 0 pixels is not allowed, not even of nothing.
+        let width = size.x.max(1) as usize;
         let rows = canvas.radiance.par_chunks_mut(width);
         let rows = rows.zip(canvas.levels.par_chunks_mut(width)).enumerate();
         canvas.rays = rows

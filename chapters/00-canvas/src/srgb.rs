@@ -69,12 +69,13 @@ pub fn encode(radiance: Vec3) -> [u8; 3] {
 // ANCHOR_END: encode
 
 // ANCHOR: decode
-/// Returns the least linear light that is encoded to `level`.
+/// Returns the linear light in the middle of a `level`: that which sRGB encodes to
+/// `level` / 255.
+///
+/// It is encoded to `level` again, and so is the mean of many such lights, although rounding
+/// moves it a little.
 #[must_use]
 pub fn decode(level: u8) -> f32 {
-    match level.checked_sub(1) {
-        Some(below) => THRESHOLDS[below as usize],
-        None => 0.0,
-    }
+    linear(f64::from(level) / 255.0) as f32
 }
 // ANCHOR_END: decode

@@ -49,6 +49,27 @@ pub struct Camera {
 }
 // ANCHOR_END: camera
 
+// ANCHOR: range
+/// The largest coordinate, radius, focal length and length of a direction, and the inverse of
+/// the smallest: from 1e-15 to 1e15 no square, nor a sum of a few, leaves f32's range.
+pub const MAX_LENGTH: f32 = 1e15;
+
+/// Returns whether a number is between 1 / [`MAX_LENGTH`] and [`MAX_LENGTH`]; NaN is not.
+#[inline]
+#[must_use]
+pub fn is_length(number: f32) -> bool {
+    (1.0 / MAX_LENGTH..=MAX_LENGTH).contains(&number)
+}
+
+/// Returns whether all coordinates of a point are between −[`MAX_LENGTH`] and
+/// [`MAX_LENGTH`]; NaN is not.
+#[inline]
+#[must_use]
+pub fn is_position(point: Vec3) -> bool {
+    point.abs().cmple(Vec3::splat(MAX_LENGTH)).all()
+}
+// ANCHOR_END: range
+
 // ANCHOR: new
 /// Returns the unit vector along `vector`. `None` if it is zero or not finite, or if the
 /// square of its length underflows or overflows f32 (a length below 1.1e-19 or above
@@ -71,11 +92,11 @@ impl Camera {
     /// upwards in the picture.
     ///
     /// Neither direction need be a unit vector. `None` if a direction cannot be normalised
-    /// ([`checked_normalize`]), if `forward` is parallel to `up`, if the eye is not finite,
-    /// or if the focal length is not positive and finite.
+    /// ([`checked_normalize`]), if `forward` is parallel to `up`, or if the eye or the focal
+    /// length is out of range ([`is_position`], [`is_length`]).
     #[must_use]
     pub fn new(eye: Vec3, forward: Vec3, up: Vec3, focal_length: f32) -> Option<Self> {
-        if !(eye.is_finite() && focal_length > 0.0 && focal_length.is_finite()) {
+        if !(is_position(eye) && is_length(focal_length)) {
             return None;
         }
         let forward = checked_normalize(forward)?;

@@ -6,33 +6,34 @@ pub mod views;
 pub use views::STAGE;
 
 use glam::{DVec3, Vec3};
-use ray_casting::{Ray, checked_normalize};
+use ray_casting::{MAX_LENGTH, Ray, checked_normalize, is_length, is_position};
 // ANCHOR_END: head
 
 // ANCHOR: sphere
 /// The points at a distance of `radius` from `centre`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre; finite.
+    /// Its centre.
     pub centre: Vec3,
-    /// Its radius; positive and finite.
+    /// Its radius; positive.
     pub radius: f32,
 }
 
 impl Sphere {
-    /// Returns a sphere. `None` if the radius is not positive and finite, or the centre is
-    /// not finite.
+    /// Returns a sphere. `None` if the centre or the radius is out of range ([`is_position`],
+    /// [`is_length`]).
     #[must_use]
     pub fn new(centre: Vec3, radius: f32) -> Option<Self> {
-        let is_valid = centre.is_finite() && radius > 0.0 && radius.is_finite();
+        let is_valid = is_position(centre) && is_length(radius);
         is_valid.then_some(Self { centre, radius })
     }
 }
 // ANCHOR_END: sphere
 
 // ANCHOR: roots
-/// The greatest distance of a hit: the squares of distances not much longer overflow f32.
-pub const T_MAX: f32 = 1e18;
+/// The greatest distance of a hit: a thousand times [`MAX_LENGTH`]. The squares of distances
+/// not much longer overflow f32.
+pub const T_MAX: f32 = 1000.0 * MAX_LENGTH;
 
 /// Returns the first of two roots, in this order, with 0 < t < `t_max`.
 #[inline]
@@ -72,8 +73,11 @@ impl Sphere {
     /// closest approach to the centre. `None` if there is no such hit, or if the ray or the
     /// sphere is not finite.
     ///
-    /// The direction need not be a unit vector, as long as the square of its length is a normal
-    /// f32; the distance is in units of its length. A zero direction hits nothing.
+    /// The direction need not be a unit vector: a length in range ([`is_length`]) will do. The
+    /// distance is in units of this length. A zero direction hits nothing.
+    ///
+    /// A ray that starts on the sphere may or may not hit it where it starts, as rounding has
+    /// it: the chapter about shadow acne cures that.
     ///
     /// Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems (2019), ch. 7.
@@ -97,6 +101,22 @@ impl Sphere {
     }
 }
 // ANCHOR_END: stable
+
+// ANCHOR: entered
+impl Sphere {
+    /// Returns whether a hit at distance `t`, as found by [`Sphere::distance`], is the one
+    /// where the ray enters the sphere; otherwise the ray leaves the sphere there.
+    ///
+    /// The order of the two hits tells, not the normal: for a ray that only grazes the sphere,
+    /// rounding decides whether the angle between the two is obtuse.
+    #[inline]
+    #[must_use]
+    pub fn is_entered(&self, ray: &Ray, t: f32) -> bool {
+        let oc = ray.origin - self.centre;
+        t <= -ray.direction.dot(oc) / ray.direction.dot(ray.direction)
+    }
+}
+// ANCHOR_END: entered
 
 // ANCHOR: normal
 impl Sphere {

@@ -5,8 +5,8 @@ pub mod scene;
 pub mod views;
 pub use views::STAGE;
 
-use glam::{Vec2, Vec3};
-use ray_casting::{Ray, SKY, checked_normalize};
+use glam::{Vec2, Vec3, Vec3Swizzles};
+use ray_casting::{Ray, SKY, checked_normalize, is_position};
 use sphere_hit::{Sphere, T_MAX};
 // ANCHOR_END: head
 
@@ -14,19 +14,53 @@ use sphere_hit::{Sphere, T_MAX};
 /// The points x with (x − `point`) · `normal` = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Any point of the plane; finite.
+    /// Any point of the plane, and the origin of its two coordinates.
     pub point: Vec3,
     /// The unit vector perpendicular to the plane.
     pub normal: Vec3,
+    /// The axes of its coordinates: unit vectors in the plane, perpendicular to each other.
+    pub axes: [Vec3; 2],
 }
 
 impl Plane {
     /// Returns a plane; `normal` need not be a unit vector. `None` if it cannot be
-    /// normalised ([`checked_normalize`]), or if the point is not finite.
+    /// normalised ([`checked_normalize`]), or if the point is out of range ([`is_position`]).
+    ///
+    /// The first axis is as close to x as the plane allows, or to z if the normal is close to
+    /// x; the second points upwards, or away from the viewer in a floor. So the axes of a
+    /// horizontal plane are x and z, and those of a plane and of its other side are the same.
     #[must_use]
     pub fn new(point: Vec3, normal: Vec3) -> Option<Self> {
         let normal = checked_normalize(normal)?;
-        point.is_finite().then_some(Self { point, normal })
+        let along = if normal.x.abs() < 0.9 {
+            Vec3::X
+        } else {
+            Vec3::Z
+        };
+        let first = (along - along.dot(normal) * normal).normalize();
+        let second = first.cross(normal);
+        let axes = [
+            first,
+            if second.y + second.z < 0.0 {
+                -second
+            } else {
+                second
+            },
+        ];
+        is_position(point).then_some(Self {
+            point,
+            normal,
+            axes,
+        })
+    }
+
+    /// Returns the two coordinates of a `point` of the plane.
+    #[inline]
+    #[must_use]
+    pub fn uv(&self, point: Vec3) -> Vec2 {
+        let from_origin = point - self.point;
+        let [u, v] = self.axes.map(|axis| from_origin.dot(axis));
+        Vec2::new(u, v)
     }
 }
 // ANCHOR_END: plane
@@ -100,6 +134,29 @@ impl Shape {
         }
     }
 
+    /// Returns whether a hit at distance `t`, as found by [`Shape::distance`], is one where the
+    /// ray enters the shape; a plane's inside is the side from which its normal points away.
+    #[inline]
+    #[must_use]
+    pub fn is_entered(&self, ray: &Ray, t: f32) -> bool {
+        match self {
+            Self::Sphere(sphere) => sphere.is_entered(ray, t),
+            Self::Plane(plane) => plane.normal.dot(ray.direction) < 0.0,
+        }
+    }
+
+    /// Returns whether a point lies inside: in the ball, or behind the plane.
+    #[inline]
+    #[must_use]
+    pub fn contains(&self, point: Vec3) -> bool {
+        match self {
+            Self::Sphere(Sphere { centre, radius }) => {
+                point.distance_squared(*centre) < radius * radius
+            }
+            Self::Plane(plane) => (point - plane.point).dot(plane.normal) < 0.0,
+        }
+    }
+
     /// Returns the outward unit normal at a `point` of the surface.
     #[inline]
     #[must_use]
@@ -107,6 +164,17 @@ impl Shape {
         match self {
             Self::Sphere(sphere) => sphere.normal(point),
             Self::Plane(plane) => plane.normal,
+        }
+    }
+
+    /// Returns two coordinates of a `point` of the surface, by which a pattern on it is drawn:
+    /// the plane's own ones, or x and z from the sphere's centre.
+    #[inline]
+    #[must_use]
+    pub fn uv(&self, point: Vec3) -> Vec2 {
+        match self {
+            Self::Sphere(sphere) => (point - sphere.centre).xz(),
+            Self::Plane(plane) => plane.uv(point),
         }
     }
 }
@@ -131,23 +199,23 @@ impl<M> Object<M> {
 #[inline]
 #[must_use]
 pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
-    nearest_by(objects, |_, object, t_max| {
+    canvas::count_ray();
+    nearest_by(objects, T_MAX, |_, object, t_max| {
         object.shape.distance(ray, t_max)
     })
 }
 
-/// Returns the nearest hit, as [`nearest`] does, of objects that `distance` intersects: a
-/// function from an object's index, the object and `t_max` to the distance of the first hit
-/// with 0 < t < `t_max`.
+/// Returns the nearest hit with 0 < t < `t_max`, as [`nearest`] does, of objects that
+/// `distance` intersects: a function from an object's index, the object and the distance of
+/// the nearest hit so far to that of the object's first hit before it. Counts no ray.
 #[inline]
 #[must_use]
 pub fn nearest_by<M>(
     objects: &[Object<M>],
+    mut t_max: f32,
     distance: impl Fn(usize, &Object<M>, f32) -> Option<f32>,
 ) -> Option<(usize, f32)> {
-    canvas::count_ray();
     let mut nearest = None;
-    let mut t_max = T_MAX;
     for (index, object) in objects.iter().enumerate() {
         if let Some(t) = distance(index, object, t_max) {
             t_max = t;
@@ -187,24 +255,19 @@ pub fn is_even_in_space(point: Vec3) -> bool {
 pub enum Texture {
     /// The same colour everywhere.
     Solid(Vec3),
-    /// Squares of side 1 by the point's x and z, for a horizontal plane: even and odd.
+    /// Squares of side 1: even and odd.
     Checker(Vec3, Vec3),
 }
 
 impl Texture {
-    /// Returns the colour at a `point` of the surface.
+    /// Returns the colour at a point of the surface, given by its two coordinates there
+    /// ([`Shape::uv`]).
     #[inline]
     #[must_use]
-    pub fn value(&self, point: Vec3) -> Vec3 {
+    pub fn value(&self, uv: Vec2) -> Vec3 {
         match *self {
-            Self::Solid(colour) => colour,
-            Self::Checker(even, odd) => {
-                if is_even(Vec2::new(point.x, point.z)) {
-                    even
-                } else {
-                    odd
-                }
-            }
+            Self::Checker(_, odd) if !is_even(uv) => odd,
+            Self::Solid(colour) | Self::Checker(colour, _) => colour,
         }
     }
 }
@@ -215,7 +278,12 @@ impl Texture {
 #[must_use]
 pub fn trace(objects: &[Object<Texture>], ray: &Ray) -> Vec3 {
     match nearest(objects, ray) {
-        Some((index, t)) => objects[index].material.value(ray.at(t)),
+        Some((index, t)) => {
+            let Object {
+                shape, material, ..
+            } = &objects[index];
+            material.value(shape.uv(ray.at(t)))
+        }
         None => SKY,
     }
 }

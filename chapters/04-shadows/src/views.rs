@@ -70,18 +70,13 @@ fn light_between_balls(is_visible: Visibility<Texture>) -> Picture {
         shape: Shape::plane(Vec3::ZERO, Vec3::Y),
         material: Texture::Solid(Vec3::splat(0.7)),
     };
-    let scene = Scene {
-        objects: vec![
-            floor,
-            ball("lower", 0.5, Vec3::new(0.9, 0.3, 0.05)),
-            ball("upper", 3.0, Vec3::new(0.1, 0.5, 0.6)),
-        ],
-        lights: vec![PointLight {
-            position: Vec3::new(0.7, 2.0, 0.0),
-            intensity: 1.0,
-        }],
-        background: SKY,
-    };
+    let objects = vec![
+        floor,
+        ball("lower", 0.5, Vec3::new(0.9, 0.3, 0.05)),
+        ball("upper", 3.0, Vec3::new(0.1, 0.5, 0.6)),
+    ];
+    let light = PointLight::new(Vec3::new(0.7, 2.0, 0.0), 1.0).expect("a valid light");
+    let scene = Scene::new(objects, vec![light], SKY).expect("three surfaces");
     let eye = Vec3::new(0.0, 2.5, -8.0);
     let towards = Vec3::new(0.3, 1.5, 0.0) - eye;
     let camera = Camera::new(eye, towards, Vec3::Y, 3.0).expect("a camera");

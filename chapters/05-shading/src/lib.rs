@@ -61,24 +61,31 @@ pub fn powi<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T 
 /// light of intensity 1 in the direction `to_light`: k_d C (N·L) + k_s (R·V)ⁿ, where R is L
 /// reflected about N, and V is −I.
 ///
-/// `to_light` is a unit vector. A light behind the surface gives nothing, not even a
-/// highlight.
+/// `to_light` is a unit vector towards a light in front of the surface
+/// ([`Interaction::is_in_front`]). The result is never more than k_d C + k_s.
 ///
 /// Source: Phong 1975; the lecture's "Shading" slides.
 #[inline]
 #[must_use]
 pub fn phong(surface: &Phong, colour: Vec3, at: &Interaction, to_light: Vec3) -> Vec3 {
-    let cos_theta_l = at.normal.dot(to_light);
-    if !(cos_theta_l > 0.0) {
-        return Vec3::ZERO;
-    }
+    let cos_theta_l = from_0_to_1(at.normal.dot(to_light));
     let diffuse = surface.diffuse * cos_theta_l * colour;
     let reflected = 2.0 * cos_theta_l * at.normal - to_light;
-    let cos_alpha = reflected.dot(-at.incident);
-    if !(cos_alpha > 0.0) {
-        return diffuse;
-    }
+    let cos_alpha = from_0_to_1(reflected.dot(-at.incident));
     diffuse + Vec3::splat(surface.specular * powi(cos_alpha, surface.shininess))
+}
+
+/// Returns a cosine, 0 if it is negative, and 1 if rounding has made it larger: its power
+/// would have no limit.
+#[inline]
+fn from_0_to_1(cos: f32) -> f32 {
+    if cos > 1.0 {
+        1.0
+    } else if cos > 0.0 {
+        cos
+    } else {
+        0.0
+    }
 }
 // ANCHOR_END: reflect-light
 
@@ -88,8 +95,8 @@ pub fn phong(surface: &Phong, colour: Vec3, at: &Interaction, to_light: Vec3) ->
 ///
 /// `visibility` is given a light, the unit vector towards it and its distance, and returns
 /// the fraction of its light that arrives, for red, green and blue: 1 if it is visible, 0 if
-/// it is occluded. It is not called for a light of which the surface would reflect nothing,
-/// so that no ray is traced that could not matter.
+/// it is occluded. It is not called for a light behind the surface, nor for one of which the
+/// surface would reflect nothing, so that no ray is traced that could not matter.
 #[inline]
 #[must_use]
 pub fn shade<'a>(
@@ -98,9 +105,9 @@ pub fn shade<'a>(
     lights: &'a [PointLight],
     mut visibility: impl FnMut(&'a PointLight, Vec3, f32) -> Vec3,
 ) -> Vec3 {
-    let colour = surface.colour.value(at.point);
+    let colour = surface.colour.value(at.uv());
     let mut radiance = surface.ambient * colour;
-    for light in lights {
+    for light in lights.iter().filter(|light| at.is_in_front(light.position)) {
         let to_light = light.position - at.point;
         // At the light itself there is no direction to it, and no light from it.
         let Some(direction) = checked_normalize(to_light) else {

@@ -67,13 +67,16 @@ pub fn bounce_inside(sphere: &Sphere, ray: &Ray, reflect: fn(Vec3, Vec3) -> Vec3
 /// The greatest number of bounces for which a ray is followed.
 pub const MAX_DEPTH: u32 = 64;
 
-/// The throughput at or below which a ray is not traced.
-pub const MIN_THROUGHPUT: f32 = 1.0 / 2048.0;
+/// The throughput at or below which a ray is not traced: this fraction of white is a tenth of
+/// a level in the dark, where sRGB is steepest and goes through 12.92 · 255 levels for white.
+/// In brighter light it is less.
+pub const MIN_THROUGHPUT: f32 = 1.0 / 32_768.0;
 
 /// Recursion budget: the number of bounces that are left, and the throughput.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathBudget {
-    /// The number of bounces that are left.
+    /// The number of bounces that are left. Each takes a piece of the stack: whoever sets more
+    /// than [`MAX_DEPTH`] must know that it is large enough.
     pub depth: u32,
     /// The fraction, 0 to 1, of the ray's radiance that reaches the pixel.
     pub throughput: f32,
@@ -83,11 +86,12 @@ pub struct PathBudget {
 }
 
 impl PathBudget {
-    /// Returns the budget of a camera ray: `depth` bounces and [`MIN_THROUGHPUT`].
+    /// Returns the budget of a camera ray: `depth` bounces, or [`MAX_DEPTH`] if that is less,
+    /// and [`MIN_THROUGHPUT`].
     #[must_use]
     pub fn new(depth: u32) -> Self {
         Self {
-            depth,
+            depth: depth.min(MAX_DEPTH),
             throughput: 1.0,
             min_throughput: MIN_THROUGHPUT,
         }

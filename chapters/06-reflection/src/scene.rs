@@ -66,34 +66,29 @@ pub fn facing_mirrors(reflectivity: f32) -> (Scene<Mirror>, Camera) {
     let ball = Shape::sphere(Vec3::new(0.0, 0.8, 0.3), 0.8);
     let floor = Texture::Checker(Vec3::splat(0.1), Vec3::splat(0.9));
     let red = Texture::Solid(Vec3::new(0.9, 0.15, 0.1));
-    let scene = Scene {
-        objects: vec![
-            object(
-                "floor",
-                Shape::plane(Vec3::ZERO, Vec3::Y),
-                plain(floor),
-                0.0,
-            ),
-            object(
-                "left",
-                Shape::plane(3.0 * Vec3::NEG_X, Vec3::X),
-                wall,
-                reflectivity,
-            ),
-            object(
-                "right",
-                Shape::plane(3.0 * Vec3::X, Vec3::NEG_X),
-                wall,
-                reflectivity,
-            ),
-            object("ball", ball, plain(red), 0.0),
-        ],
-        lights: vec![PointLight {
-            position: Vec3::new(0.5, 5.0, -2.0),
-            intensity: 0.9,
-        }],
-        background: SKY,
-    };
+    let objects = vec![
+        object(
+            "floor",
+            Shape::plane(Vec3::ZERO, Vec3::Y),
+            plain(floor),
+            0.0,
+        ),
+        object(
+            "left",
+            Shape::plane(3.0 * Vec3::NEG_X, Vec3::X),
+            wall,
+            reflectivity,
+        ),
+        object(
+            "right",
+            Shape::plane(3.0 * Vec3::X, Vec3::NEG_X),
+            wall,
+            reflectivity,
+        ),
+        object("ball", ball, plain(red), 0.0),
+    ];
+    let light = PointLight::new(Vec3::new(0.5, 5.0, -2.0), 0.9).expect("a valid light");
+    let scene = Scene::new(objects, vec![light], SKY).expect("four surfaces");
     let eye = Vec3::new(2.7, 1.9, -1.6);
     let towards = Vec3::new(-3.0, 0.9, 0.7) - eye;
     let camera = Camera::new(eye, towards, Vec3::Y, 1.5).expect("a camera");

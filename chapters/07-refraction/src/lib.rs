@@ -58,11 +58,10 @@ impl Interface {
     #[inline]
     #[must_use]
     pub fn new(at: &Interaction, eta_inside: f32, eta_outside: f32) -> Self {
-        let leaves = at.outward.dot(at.incident) > 0.0;
-        let (eta_i, eta_t) = if leaves {
-            (eta_inside, eta_outside)
-        } else {
+        let (eta_i, eta_t) = if at.enters() {
             (eta_outside, eta_inside)
+        } else {
+            (eta_inside, eta_outside)
         };
         Self { eta_i, eta_t }
     }
@@ -132,6 +131,9 @@ pub enum Optics {
 }
 
 /// How an object reflects the lights, and reflects and transmits rays.
+///
+/// Dielectrics must not overlap: which of two is at a point they share is asked in the chapter
+/// about coloured glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// How the surface reflects the lights.

@@ -93,12 +93,14 @@ pub fn hash(mut x: u32) -> u32 {
 // ANCHOR_END: jittered
 
 // ANCHOR: adaptive
-/// The least difference of linear light between a pixel's samples that calls for more of
-/// them.
-pub const CONTRAST_THRESHOLD: f32 = 0.05;
+/// The difference between a pixel's samples, in levels, above which more of them are taken.
+pub const CONTRAST_THRESHOLD: u8 = 8;
 
 /// Returns the mean of 2 × 2 jittered samples if no two of them differ by more than
 /// [`CONTRAST_THRESHOLD`] in any channel, and otherwise that of n × n.
+///
+/// The differences are those of levels, not of light: in the dark, a twentieth of white is 63
+/// levels.
 ///
 /// Features smaller than the distance of the first four samples can be missed.
 ///
@@ -107,13 +109,13 @@ pub const CONTRAST_THRESHOLD: f32 = 0.05;
 pub fn adaptive(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     let points = stratified_points(pixel, 2, |i| jitter(pixel, i));
     let samples: Vec<Vec3> = points.map(radiance).collect();
-    let differ = |a: &Vec3| {
-        let differences = samples.iter().map(|b| (*a - *b).abs().max_element());
-        differences
-            .into_iter()
-            .any(|difference| difference > CONTRAST_THRESHOLD)
+    let levels: Vec<[u8; 3]> = samples.iter().copied().map(encode).collect();
+    let differ = |channel: usize| {
+        let of_samples = levels.iter().map(|levels| levels[channel]);
+        let (least, most) = (of_samples.clone().min(), of_samples.max());
+        most > least.map(|least| least.saturating_add(CONTRAST_THRESHOLD))
     };
-    if samples.iter().any(differ) {
+    if (0..3).any(differ) {
         jittered(pixel, n, radiance)
     } else {
         samples.iter().sum::<Vec3>() / 4.0

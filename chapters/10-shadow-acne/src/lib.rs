@@ -12,8 +12,8 @@ use ray_casting::Ray;
 use reflection::PathBudget;
 use refraction::Material;
 use shading::shade;
-use shadows::{Interaction, SHADOW_BIAS, Scene};
-use sphere_hit::{Sphere, face_forward};
+use shadows::{Interaction, SHADOW_BIAS, Scene, is_before_light, is_on_surface};
+use sphere_hit::{Sphere, T_MAX, face_forward};
 // ANCHOR_END: head
 
 // ANCHOR: surface-ray
@@ -28,10 +28,10 @@ pub struct SurfaceRay {
     pub enters: bool,
 }
 
-/// A function that spawns a ray: from the shape, the hit and a unit direction to the ray.
-pub type SpawnRay = fn(&Shape, &Interaction, Vec3) -> SurfaceRay;
+/// A function that spawns a ray: from the hit and a unit direction to the ray.
+pub type SpawnRay = fn(&Interaction, Vec3) -> SurfaceRay;
 
-/// Returns a ray whose origin is not known to be on a surface: a camera's ray.
+/// Returns a ray whose origin is not known to be on a surface.
 #[inline]
 #[must_use]
 pub fn untracked(ray: Ray) -> SurfaceRay {
@@ -47,7 +47,7 @@ pub fn untracked(ray: Ray) -> SurfaceRay {
 /// Spawns a ray at the computed point, which rounding puts on either side of the surface:
 /// the bug.
 #[must_use]
-pub fn without_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+pub fn without_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     untracked(Ray {
         origin: at.point,
         direction,
@@ -56,7 +56,7 @@ pub fn without_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRa
 
 /// Spawns a ray at a fixed distance from the surface, [`SHADOW_BIAS`].
 #[must_use]
-pub fn with_fixed_offset(_: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+pub fn with_fixed_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     let normal = face_forward(at.outward, -direction);
     untracked(Ray {
         origin: at.point + SHADOW_BIAS * normal,
@@ -70,15 +70,11 @@ pub fn with_fixed_offset(_: &Shape, at: &Interaction, direction: Vec3) -> Surfac
 ///
 /// Source: the idea is that of Wächter and Binder, Ray Tracing Gems (2019), ch. 6.
 #[must_use]
-pub fn with_scaled_offset(
-    shape: &Shape,
-    at: &Interaction,
-    direction: Vec3,
-) -> SurfaceRay {
-    let point = project_to_surface(shape, at);
+pub fn with_scaled_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
+    let point = project_to_surface(at);
     let mut largest = point.length();
-    let others = match shape {
-        Shape::Sphere(Sphere { centre, radius }) => [centre.length(), *radius],
+    let others = match at.shape {
+        Shape::Sphere(Sphere { centre, radius }) => [centre.length(), radius],
         Shape::Plane(plane) => [plane.point.length(), 0.0],
     };
     for other in others {
@@ -96,8 +92,8 @@ pub fn with_scaled_offset(
 
 /// Returns the hit point, moved onto the surface as exactly as f32 can express.
 #[inline]
-fn project_to_surface(shape: &Shape, at: &Interaction) -> Vec3 {
-    match shape {
+fn project_to_surface(at: &Interaction) -> Vec3 {
+    match at.shape {
         Shape::Sphere(sphere) => sphere.centre + sphere.radius * at.outward,
         Shape::Plane(plane) => {
             at.point - (at.point - plane.point).dot(at.outward) * at.outward
@@ -110,12 +106,30 @@ fn project_to_surface(shape: &Shape, at: &Interaction) -> Vec3 {
 /// Spawns a ray that starts on the surface, and remembers the object: the fix.
 #[inline]
 #[must_use]
-pub fn from_surface(shape: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
-    let origin = project_to_surface(shape, at);
+pub fn from_surface(at: &Interaction, direction: Vec3) -> SurfaceRay {
+    let origin = project_to_surface(at);
     SurfaceRay {
         ray: Ray { origin, direction },
         origin: Some(at.index),
         enters: at.outward.dot(direction) < 0.0,
+    }
+}
+
+/// Returns a camera's ray. If the eye lies on the surface of an object, the ray starts on it,
+/// and does not hit it where it starts.
+#[inline]
+#[must_use]
+pub fn from_eye<M>(objects: &[Object<M>], ray: Ray) -> SurfaceRay {
+    let mut shapes = objects.iter().map(|object| object.shape);
+    let origin = shapes.position(|shape| is_on_surface(&shape, ray.origin));
+    let enters = origin.is_some_and(|index| {
+        let outward = objects[index].shape.normal(ray.origin);
+        outward.dot(ray.direction) < 0.0
+    });
+    SurfaceRay {
+        ray,
+        origin,
+        enters,
     }
 }
 
@@ -156,20 +170,46 @@ impl SurfaceRay {
     #[inline]
     #[must_use]
     pub fn intersect<M>(&self, objects: &[Object<M>]) -> Option<Interaction> {
-        let hit = nearest_by(objects, |index, object, t_max| {
+        canvas::count_ray();
+        let hit = nearest_by(objects, T_MAX, |index, object, t_max| {
             self.distance(index, &object.shape, t_max)
         })?;
         Some(Interaction::new(objects, &self.ray, hit))
     }
 
-    /// Returns whether any object is hit with 0 < t < `t_max`. Counts one ray.
+    /// Returns the distance at which an object is hit between the ray's origin and a light
+    /// that is `distance` away. `None` if it is not.
     #[inline]
     #[must_use]
-    pub fn is_occluded<M>(&self, objects: &[Object<M>], t_max: f32) -> bool {
+    pub fn occlusion(
+        &self,
+        index: usize,
+        shape: &Shape,
+        light: Vec3,
+        distance: f32,
+    ) -> Option<f32> {
+        let hit = self.distance(index, shape, distance);
+        hit.filter(|&t| is_before_light(shape, &self.ray, t, light, distance))
+    }
+
+    /// Returns whether any object is between the ray's origin and a light that is `distance`
+    /// away. Counts one ray.
+    #[inline]
+    #[must_use]
+    pub fn is_occluded<M>(
+        &self,
+        objects: &[Object<M>],
+        light: Vec3,
+        distance: f32,
+    ) -> bool {
         canvas::count_ray();
-        let mut objects = objects.iter().enumerate();
+        let occlusion = |(index, object): (usize, &Object<M>)| {
+            self.occlusion(index, &object.shape, light, distance)
+        };
         objects
-            .any(|(index, object)| self.distance(index, &object.shape, t_max).is_some())
+            .iter()
+            .enumerate()
+            .any(|object| occlusion(object).is_some())
     }
 }
 // ANCHOR_END: from-surface
@@ -182,23 +222,21 @@ pub fn trace(
     scene: &Scene<Material>,
     ray: &SurfaceRay,
     budget: PathBudget,
-    spawn: impl Fn(&Shape, &Interaction, Vec3) -> SurfaceRay + Copy,
+    spawn: impl Fn(&Interaction, Vec3) -> SurfaceRay + Copy,
 ) -> Vec3 {
     let Some(at) = ray.intersect(&scene.objects) else {
         return scene.background;
     };
-    let Object {
-        shape, material, ..
-    } = &scene.objects[at.index];
-    let Material { phong, optics } = material;
-    let mut radiance = shade(phong, &at, &scene.lights, |_, to_light, distance| {
-        let shadow_ray = spawn(shape, &at, to_light);
-        let is_occluded = shadow_ray.is_occluded(&scene.objects, distance);
+    let Material { phong, optics } = &scene.objects[at.index].material;
+    let mut radiance = shade(phong, &at, &scene.lights, |light, to_light, distance| {
+        let shadow_ray = spawn(&at, to_light);
+        let is_occluded =
+            shadow_ray.is_occluded(&scene.objects, light.position, distance);
         Vec3::splat(f32::from(!is_occluded))
     });
     for (weight, direction) in scatter(optics, &at, fresnel).into_iter().flatten() {
         if let Some(budget) = budget.attenuated(weight) {
-            let next = spawn(shape, &at, direction);
+            let next = spawn(&at, direction);
             radiance += weight * trace(scene, &next, budget, spawn);
         }
     }

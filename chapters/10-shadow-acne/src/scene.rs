@@ -31,21 +31,17 @@ pub fn balls_on_a_planet(scale: f32) -> (Scene<Material>, Camera) {
     let red = plastic(Vec3::new(0.9, 0.15, 0.1), 0.0);
     let blue = plastic(Vec3::new(0.15, 0.2, 0.9), 0.0);
     let mirror = plastic(Vec3::splat(0.1), 0.8);
-    let scene = Scene {
-        objects: vec![
-            ball("planet", (0.0, -2000.0, 0.0), 1000.0, grey),
-            ball("large", (0.0, 0.0, 1.2), 1.0, red),
-            ball("mirror", (-1.4, 0.0, 0.0), 0.5, mirror),
-            ball("small", (0.5, 0.0, -1.4), 0.05, blue),
-            ball("tiny", (0.4, 0.0, -1.45), 0.005, blue),
-            ball("hovering", (0.7, 0.002, -1.5), 0.05, red),
-        ],
-        lights: vec![PointLight {
-            position: scale * Vec3::new(-3.0, 4.0, -4.0),
-            intensity: 1.0,
-        }],
-        background: SKY,
-    };
+    let objects = vec![
+        ball("planet", (0.0, -2000.0, 0.0), 1000.0, grey),
+        ball("large", (0.0, 0.0, 1.2), 1.0, red),
+        ball("mirror", (-1.4, 0.0, 0.0), 0.5, mirror),
+        ball("small", (0.5, 0.0, -1.4), 0.05, blue),
+        ball("tiny", (0.4, 0.0, -1.45), 0.005, blue),
+        ball("hovering", (0.7, 0.002, -1.5), 0.05, red),
+    ];
+    let light =
+        PointLight::new(scale * Vec3::new(-3.0, 4.0, -4.0), 1.0).expect("a valid light");
+    let scene = Scene::new(objects, vec![light], SKY).expect("six surfaces");
     let eye = Vec3::new(0.4, 0.9, -3.6);
     let towards = Vec3::new(-0.1, 0.35, 0.0) - eye;
     let camera = Camera::new(scale * eye, towards, Vec3::Y, 2.0).expect("a camera");

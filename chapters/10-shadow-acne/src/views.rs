@@ -2,7 +2,7 @@
 
 use crate::scene::balls_on_a_planet;
 use crate::{
-    SpawnRay, from_surface, trace, untracked, with_fixed_offset, with_scaled_offset,
+    SpawnRay, from_eye, from_surface, trace, with_fixed_offset, with_scaled_offset,
     without_offset,
 };
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
@@ -70,7 +70,7 @@ const SCALE: Knob = Knob {
 fn picture_of(scene: Scene<Material>, camera: Camera, spawn: SpawnRay) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
     Picture::new(move |pixel| {
-        let ray = untracked(camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, spawn)
     })
 }

@@ -1,20 +1,21 @@
 //! The chapter's pictures.
 
-use crate::scene::{AMBER, absorbing_still_life};
-use crate::trace;
+use crate::scene::{AMBER, absorbing_still_life, pool};
+use crate::{Absorbing, OpticsAt, as_if_alone, between_media, trace};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use ray_casting::Camera;
 use ray_casting::scene::still_life_camera;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::close_up;
-use shadow_acne::untracked;
+use shadow_acne::from_eye;
+use shadows::Scene;
 
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "Coloured glass, and light that gets through",
     hero: "still-life",
-    bugs: &[],
+    bugs: &["alone"],
     views: &[
         View {
             name: "still-life",
@@ -27,6 +28,18 @@ pub const STAGE: Stage = Stage {
             caption: "The ball from nearby: the longer the path through the glass, the deeper the colour.",
             knob: Some(ABSORPTION),
             picture: |absorption| picture_of(absorption, close_up()),
+        },
+        View {
+            name: "alone",
+            caption: "The bug: every surface bends and reflects light as if its object were alone in the air.",
+            knob: None,
+            picture: |_| pool_by(as_if_alone),
+        },
+        View {
+            name: "displaced",
+            caption: "The cure: ice and glass displace the water, and the bubble displaces the glass.",
+            knob: None,
+            picture: |_| pool_by(between_media),
         },
     ],
 };
@@ -43,8 +56,18 @@ const ABSORPTION: Knob = Knob {
 
 fn picture_of(absorption: f32, camera: Camera) -> Picture {
     let scene = absorbing_still_life(absorption * AMBER);
+    render(scene, camera, between_media)
+}
+
+fn pool_by(optics_at: OpticsAt) -> Picture {
+    let (scene, camera) = pool();
+    render(scene, camera, optics_at)
+}
+
+fn render(scene: Scene<Absorbing>, camera: Camera, optics_at: OpticsAt) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
     Picture::new(move |pixel| {
-        trace(&scene, &untracked(camera.ray(pixel.centre())), budget)
+        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        trace(&scene, &ray, budget, optics_at)
     })
 }

@@ -1,14 +1,18 @@
 //! The hits of a packet on one object: shading and scattering in lanes.
 
 use crate::{Lanes, Packet, Vec3x16};
+use glam::Vec3;
 use plane_hit::{Object, Shape, Texture};
 use refraction::{Material, Optics};
 use shading::{Phong, powi};
+use shadows::ROUNDING;
+use sphere_hit::Sphere;
 
 // ANCHOR: interaction
 /// The hits of a packet's rays on one and the same object.
 pub struct Interactions<'a> {
     pub index: usize,
+    pub shape: &'a Shape,
     pub material: &'a Material,
     /// Mask of the rays that have hit it.
     pub active: Lanes,
@@ -16,6 +20,8 @@ pub struct Interactions<'a> {
     pub incident: Vec3x16,
     pub outward: Vec3x16,
     pub normal: Vec3x16,
+    /// Mask of the rays that enter the object.
+    pub enters: Lanes,
     /// The hit points, projected onto the surface: where new rays start.
     pub origin: Vec3x16,
 }
@@ -25,9 +31,11 @@ impl<'a> Interactions<'a> {
         object: &'a Object<Material>,
         index: usize,
         rays: &Packet,
-        point: Vec3x16,
+        t: Lanes,
         active: Lanes,
     ) -> Self {
+        let point = rays.at(t);
+        let incident = rays.direction;
         let outward = match &object.shape {
             Shape::Sphere(sphere) => {
                 let from_centre = point - Vec3x16::splat(sphere.centre);
@@ -35,16 +43,43 @@ impl<'a> Interactions<'a> {
             }
             Shape::Plane(plane) => Vec3x16::splat(plane.normal),
         };
+        let enters = rays.is_entered(&object.shape, t);
+        let facing = |outward: Vec3x16| enters.select(outward, outward * -1.0);
+        let mut normal = facing(outward);
+        let cos_theta = normal.dot(incident);
+        let grazes = active & cos_theta.simd_gt(-ROUNDING);
+        if grazes.any() {
+            let turned = (normal - incident * (cos_theta + ROUNDING)).normalize();
+            normal = grazes.select(turned, normal);
+        }
+        let outward = facing(normal);
         Self {
             index,
+            shape: &object.shape,
             material: &object.material,
             active,
             point,
-            incident: rays.direction,
+            incident,
             outward,
-            normal: face_forward(outward, rays.direction),
+            normal,
+            enters,
             origin: project_to_surface(&object.shape, point, outward),
         }
+    }
+
+    /// Returns a mask of the hits that have a light in front of them.
+    pub fn are_in_front(&self, light: Vec3) -> Lanes {
+        let (height, surface) = match self.shape {
+            Shape::Plane(plane) => {
+                (Lanes::splat(plane.normal.dot(light - plane.point)), 0.0)
+            }
+            Shape::Sphere(Sphere { centre, radius }) => {
+                let height = self.outward.dot(Vec3x16::splat(light - centre));
+                (height, radius * (1.0 + ROUNDING))
+            }
+        };
+        let [above, below] = [height.simd_gt(surface), height.simd_lt(surface)];
+        self.enters.select(above, below)
     }
 
     /// Returns the rays that leave the object, as `shadow_acne::from_surface` does.
@@ -61,13 +96,6 @@ impl<'a> Interactions<'a> {
 // ANCHOR_END: interaction
 
 // ANCHOR: shading
-/// Returns the normals on the side from which rays along `incident` come.
-#[inline]
-pub fn face_forward(normal: Vec3x16, incident: Vec3x16) -> Vec3x16 {
-    let is_behind = normal.dot(incident).simd_gt(0.0);
-    is_behind.select(normal * -1.0, normal)
-}
-
 /// Returns the points, moved onto the surface.
 #[inline]
 pub fn project_to_surface(shape: &Shape, point: Vec3x16, outward: Vec3x16) -> Vec3x16 {
@@ -79,13 +107,22 @@ pub fn project_to_surface(shape: &Shape, point: Vec3x16, outward: Vec3x16) -> Ve
     }
 }
 
-/// Returns the colours at some points.
+/// Returns the colours at some points of a surface.
 #[inline]
-pub fn colour(texture: Texture, point: Vec3x16) -> Vec3x16 {
+pub fn colour(texture: Texture, shape: &Shape, point: Vec3x16) -> Vec3x16 {
     match texture {
         Texture::Solid(colour) => Vec3x16::splat(colour),
         Texture::Checker(even, odd) => {
-            let sum = point.x.floor() + point.z.floor();
+            let [u, v] = match shape {
+                Shape::Sphere(Sphere { centre, .. }) => {
+                    [point.x - centre.x, point.z - centre.z]
+                }
+                Shape::Plane(plane) => {
+                    let from_origin = point - Vec3x16::splat(plane.point);
+                    plane.axes.map(|axis| from_origin.dot(Vec3x16::splat(axis)))
+                }
+            };
+            let sum = u.floor() + v.floor();
             let is_even = (sum - 2.0 * (sum / 2.0).floor()).simd_eq(0.0);
             is_even.select(Vec3x16::splat(even), Vec3x16::splat(odd))
         }
@@ -101,14 +138,18 @@ pub fn phong(
     at: &Interactions,
     to_light: Vec3x16,
 ) -> (Vec3x16, Lanes) {
-    let cos_theta_l = at.normal.dot(to_light);
+    let cos_theta_l = from_0_to_1(at.normal.dot(to_light));
     let diffuse = colour * (surface.diffuse * cos_theta_l);
     let reflected = at.normal * (2.0 * cos_theta_l) - to_light;
-    let cos_alpha = -reflected.dot(at.incident);
-    let specular = surface.specular * powi(cos_alpha, surface.shininess);
-    let sum = cos_alpha.simd_gt(0.0).select(diffuse + specular, diffuse);
+    let cos_alpha = from_0_to_1(-reflected.dot(at.incident));
+    let sum = diffuse + surface.specular * powi(cos_alpha, surface.shininess);
     let is_black = sum.x.simd_eq(0.0) & sum.y.simd_eq(0.0) & sum.z.simd_eq(0.0);
-    (sum, cos_theta_l.simd_gt(0.0) & !is_black)
+    (sum, !is_black)
+}
+
+fn from_0_to_1(cos: Lanes) -> Lanes {
+    let at_most_1 = cos.simd_gt(1.0).select(Lanes::splat(1.0), cos);
+    cos.simd_gt(0.0).select(at_most_1, Lanes::splat(0.0))
 }
 // ANCHOR_END: shading
 
@@ -134,9 +175,8 @@ pub fn scatter(optics: &Optics, at: &Interactions) -> [Option<(Lanes, Vec3x16)>;
             eta_outside,
         } => {
             let [inside, outside] = [eta_inside, eta_outside].map(Lanes::splat);
-            let leaves = at.outward.dot(incident).simd_gt(0.0);
-            let eta_i = leaves.select(inside, outside);
-            let eta_t = leaves.select(outside, inside);
+            let eta_i = at.enters.select(outside, inside);
+            let eta_t = at.enters.select(inside, outside);
             let (refracted, is_refracted) = refract(incident, normal, eta_i / eta_t);
             let reflectance = fresnel(-normal.dot(incident), eta_i, eta_t);
             let reflectance = is_refracted.select(reflectance, Lanes::splat(1.0));

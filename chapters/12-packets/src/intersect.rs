@@ -2,8 +2,10 @@
 
 use crate::{Lanes, Vec3x16};
 use canvas::count_rays;
+use glam::Vec3;
 use plane_hit::{Object, Plane, Shape};
 use refraction::Material;
+use shadows::is_on_surface;
 use sphere_hit::{Sphere, T_MAX};
 use std::cell::Cell;
 
@@ -32,6 +34,23 @@ impl Packet {
     #[must_use]
     pub fn at(&self, t: Lanes) -> Vec3x16 {
         self.origin + self.direction * t
+    }
+
+    /// Returns the same camera rays, which start on the object on whose surface the eye lies,
+    /// if there is one, as `shadow_acne::from_eye` does.
+    #[must_use]
+    pub fn from_eye(self, objects: &[Object<Material>], eye: Vec3) -> Self {
+        let mut shapes = objects.iter().map(|object| object.shape);
+        let origin_object = shapes.position(|shape| is_on_surface(&shape, eye));
+        let enters = origin_object.map_or(Lanes::splat(0.0), |index| {
+            let outward = Vec3x16::splat(objects[index].shape.normal(eye));
+            outward.dot(self.direction).simd_lt(0.0)
+        });
+        Self {
+            origin_object,
+            enters,
+            ..self
+        }
     }
     // ANCHOR_END: packet
 
@@ -83,6 +102,21 @@ impl Packet {
         )
     }
 
+    /// Returns a mask of the hits at distances `t` where the rays enter the shape.
+    #[inline(always)]
+    pub(crate) fn is_entered(&self, shape: &Shape, t: Lanes) -> Lanes {
+        let direction = self.direction;
+        match shape {
+            Shape::Sphere(sphere) => {
+                let oc = self.origin - Vec3x16::splat(sphere.centre);
+                t.simd_le(-direction.dot(oc) / direction.dot(direction))
+            }
+            Shape::Plane(plane) => {
+                Vec3x16::splat(plane.normal).dot(direction).simd_lt(0.0)
+            }
+        }
+    }
+
     #[inline(always)]
     fn distance(&self, index: usize, shape: &Shape, rays: Lanes, t_max: Lanes) -> Hits {
         let starts_here = self.origin_object == Some(index);
@@ -120,16 +154,24 @@ impl Packet {
         (nearest, nearest_t)
     }
 
-    /// Returns a mask of the rays that hit nothing with 0 < t < `t_max`. Counts the rays.
+    /// Returns a mask of the rays that hit nothing before a light, some distances away. Counts
+    /// the rays.
     #[inline]
     #[must_use]
-    pub fn unoccluded(&self, objects: &[Object<Material>], t_max: Lanes) -> Lanes {
+    pub fn unoccluded(
+        &self,
+        objects: &[Object<Material>],
+        light: Vec3,
+        distance: Lanes,
+    ) -> Lanes {
         count(self.active);
         let mut unoccluded = self.active;
-        for (index, object) in objects.iter().enumerate() {
-            if let Some((mask, _)) =
-                self.distance(index, &object.shape, unoccluded, t_max)
+        for (index, Object { shape, .. }) in objects.iter().enumerate() {
+            if let Some((mut mask, t)) = self.distance(index, shape, unoccluded, distance)
             {
+                if is_on_surface(shape, light) {
+                    mask &= self.is_entered(shape, t) ^ self.is_entered(shape, distance);
+                }
                 unoccluded &= !mask;
                 if unoccluded.none() {
                     break;

@@ -24,16 +24,19 @@ impl Interactions<'_> {
     /// Returns the ambient light, and what the surface reflects of every visible light.
     fn shade(&self, scene: &Scene<Material>) -> Vec3x16 {
         let surface = &self.material.phong;
-        let colour = colour(surface.colour, self.point);
+        let colour = colour(surface.colour, self.shape, self.point);
         let mut radiance = colour * surface.ambient;
         for light in &scene.lights {
             let to_light = Vec3x16::splat(light.position) - self.point;
             let direction = to_light.normalize();
             let (reflected, is_lit) = phong(surface, colour, self, direction);
-            let active = self.active & to_light.is_normalizable() & is_lit;
+            let in_front = self.are_in_front(light.position) & to_light.is_normalizable();
+            let active = self.active & in_front & is_lit;
             if active.any() {
                 let shadow_rays = self.spawn(direction, active);
-                let visible = shadow_rays.unoccluded(&scene.objects, to_light.length());
+                let distance = to_light.length();
+                let visible =
+                    shadow_rays.unoccluded(&scene.objects, light.position, distance);
                 radiance =
                     visible.select(radiance + reflected * light.intensity, radiance);
             }
@@ -89,11 +92,10 @@ pub fn trace(
     if nearest.simd_lt(0.0).all() {
         return radiance;
     }
-    let point = rays.at(t);
     for (index, object) in scene.objects.iter().enumerate() {
         let active = nearest.simd_eq(index as f32);
         if active.any() {
-            let at = Interactions::new(object, index, rays, point, active);
+            let at = Interactions::new(object, index, rays, t, active);
             let seen = at.shade_and_scatter(scene, budget, throughput);
             radiance = active.select(seen, radiance);
         }
@@ -146,6 +148,7 @@ pub fn render(
         let mut sum = Vec3x16::splat(Vec3::ZERO);
         for i in 0..n * n {
             let rays = camera_rays(camera, first, out.len(), sample_offset(first, n, i));
+            let rays = rays.from_eye(&scene.objects, camera.eye);
             sum = sum + trace(scene, &rays, budget, Lanes::splat(budget.throughput));
         }
         (sum / (n * n) as f32).write(out);

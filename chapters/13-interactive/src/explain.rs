@@ -13,7 +13,7 @@ use ray_casting::{Camera, Ray};
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::Material;
 use shading::shade;
-use shadow_acne::{SurfaceRay, from_surface, untracked};
+use shadow_acne::{SurfaceRay, from_eye, from_surface};
 use shadows::{Interaction, PointLight, Scene};
 
 // ANCHOR: explained
@@ -104,7 +104,7 @@ pub fn explain<'a>(
     point: Vec2,
     budget: PathBudget,
 ) -> Explained<'a> {
-    let ray = untracked(camera.ray(point));
+    let ray = from_eye(&scene.objects, camera.ray(point));
     let throughput = budget.throughput;
     trace(scene, &ray, RayKind::Camera, 1.0, throughput, Some(budget))
 }
@@ -150,18 +150,17 @@ fn trace<'a>(
 
     // The visibility of a light towards which shading traces no ray.
     let untraced = |light: &'a PointLight| {
-        let is_behind = at.normal.dot(light.position - at.point) < 0.0;
-        let visibility = if is_behind {
-            Visibility::BelowHorizon
-        } else {
+        let visibility = if at.is_in_front(light.position) {
             Visibility::NoContribution
+        } else {
+            Visibility::BelowHorizon
         };
         (light, visibility)
     };
     let mut lights: Vec<_> = scene.lights.iter().map(untraced).collect();
     let local = shade(phong, &at, &scene.lights, |light, to_light, distance| {
-        let shadow_ray = from_surface(&object.shape, &at, to_light);
-        let seen = visibility(scene, &shadow_ray, distance);
+        let shadow_ray = from_surface(&at, to_light);
+        let seen = visibility(scene, &shadow_ray, light.position, distance);
         explained.rays += 1;
         for (_, visibility) in lights.iter_mut().filter(|(other, _)| *other == light) {
             *visibility = seen;
@@ -176,7 +175,7 @@ fn trace<'a>(
         let Some((weight, direction)) = scattered else {
             continue;
         };
-        let ray = from_surface(&object.shape, &at, direction);
+        let ray = from_surface(&at, direction);
         let throughput = budget.throughput * weight;
         let budget = budget.attenuated(weight);
         let next = trace(scene, &ray, kind, weight, throughput, budget);
@@ -199,11 +198,12 @@ fn trace<'a>(
 fn visibility<'a>(
     scene: &'a Scene<Material>,
     shadow_ray: &SurfaceRay,
+    light: Vec3,
     distance: f32,
 ) -> Visibility<'a> {
     let mut objects = scene.objects.iter().enumerate();
     let occluder = objects.find_map(|(index, object)| {
-        let t = shadow_ray.distance(index, &object.shape, distance)?;
+        let t = shadow_ray.occlusion(index, &object.shape, light, distance)?;
         Some(Visibility::Occluded(object, shadow_ray.ray.at(t)))
     });
     occluder.unwrap_or(Visibility::Visible)

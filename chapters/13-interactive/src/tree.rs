@@ -42,7 +42,7 @@ fn write_hit(
     line: &str,
 ) -> Result {
     let Material { phong, optics } = &hit.object.material;
-    let leaves = hit.at.outward.dot(hit.at.incident) > 0.0;
+    let leaves = !hit.at.enters();
     let verb = match (optics, hit.secondary.len()) {
         (Optics::Opaque { .. }, _) => "hits",
         // Total internal reflection.
@@ -57,7 +57,7 @@ fn write_hit(
     let start = format!("{line}{bar} ");
     let [point, normal] = [hit.at.point, hit.at.outward].map(Vector);
     write!(f, "{start}point {point}, normal {normal}")?;
-    let [local, colour] = [hit.local, phong.colour.value(hit.at.point)].map(Vector);
+    let [local, colour] = [hit.local, phong.colour.value(hit.at.uv())].map(Vector);
     write!(f, "{start}radiance {radiance}, local {local}, ")?;
     write!(f, "colour {colour}")?;
     for (i, (_, visibility)) in hit.lights.iter().enumerate() {

@@ -11,7 +11,7 @@ use oracle::Limit;
 use plane_hit::Shape;
 use ray_casting::{Camera, Ray, SKY};
 use reflection::{MAX_DEPTH, MIN_THROUGHPUT, PathBudget};
-use shadow_acne::{trace, untracked};
+use shadow_acne::{from_eye, trace, untracked};
 use shadows::SHADOW_BIAS;
 use sphere_hit::{Sphere, T_MAX, face_forward};
 
@@ -164,8 +164,8 @@ fn bias_error(bias: f32) -> Picture {
     let exact = exact_picture(&Model::Plain(scene.clone()), camera);
     let budget = PathBudget::new(MAX_DEPTH);
     let ours = move |pixel: Pixel| {
-        let ray = untracked(camera.ray(pixel.centre()));
-        trace(&scene, &ray, budget, |_, at, direction| {
+        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        trace(&scene, &ray, budget, |at, direction| {
             let origin = at.point + bias * face_forward(at.outward, -direction);
             untracked(Ray { origin, direction })
         })

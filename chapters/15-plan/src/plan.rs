@@ -20,11 +20,9 @@ pub struct Plan {
     /// The largest radiance, of the strongest colour, along any ray: a bound if all objects
     /// are opaque, and an estimate if there is glass.
     pub max_radiance: f32,
-    /// The indices of the objects inside which light is absorbed.
-    pub absorbing: Vec<usize>,
     /// Returns the fraction of a light's red, green and blue that arrives along a shadow ray
-    /// from some distance away.
-    pub visibility: fn(&Scene<Absorbing>, &SurfaceRay, f32) -> Vec3,
+    /// from the light's position, some distance away.
+    pub visibility: fn(&Scene<Absorbing>, &SurfaceRay, Vec3, f32) -> Vec3,
 }
 
 /// Default tolerance: half an 8-bit sRGB level.
@@ -37,8 +35,8 @@ impl Plan {
     #[must_use]
     pub fn new(scene: Scene<Absorbing>, tolerance: f32) -> Self {
         let mut emitters = vec![(scene.background.max_element(), 0.0)];
-        let (mut highlight, mut absorbing) = (0.0, Vec::new());
-        for (index, object) in scene.objects.iter().enumerate() {
+        let mut highlight = 0.0;
+        for object in &scene.objects {
             let Material { phong, optics } = &object.material.material;
             let radiance = own_radiance(phong, &scene.lights);
             match *optics {
@@ -49,8 +47,6 @@ impl Plan {
                     if radiance > highlight {
                         highlight = radiance;
                     }
-                    let absorbs = object.material.absorption != Vec3::ZERO;
-                    absorbing.extend(absorbs.then_some(index));
                 }
             }
         }
@@ -58,7 +54,6 @@ impl Plan {
             scene,
             tolerance,
             max_radiance: highlight + max_radiance(&emitters),
-            absorbing,
             visibility: shadow_transmittance,
         }
     }
@@ -73,8 +68,8 @@ impl Plan {
             absorption,
         });
         Self {
-            visibility: |scene, ray, distance| {
-                Vec3::splat(f32::from(!ray.is_occluded(&scene.objects, distance)))
+            visibility: |scene, ray, light, distance| {
+                Vec3::splat(f32::from(!ray.is_occluded(&scene.objects, light, distance)))
             },
             ..Self::new(scene, tolerance)
         }

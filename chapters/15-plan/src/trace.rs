@@ -6,11 +6,10 @@ use fresnel::{fresnel, scatter};
 use glam::Vec3;
 use plane_hit::Texture;
 use ray_casting::Ray;
-use refraction::Material;
 use shading::shade;
-use shadow_acne::{SurfaceRay, from_surface, untracked};
+use shadow_acne::{SurfaceRay, from_eye, from_surface};
 use shadows::PointLight;
-use transparency::{path_length_inside, transmittance};
+use transparency::{between_media, follow};
 
 // ANCHOR: sample
 /// A sample of a pixel: the result of a camera ray.
@@ -47,35 +46,34 @@ impl Plan {
     #[must_use]
     pub fn trace(&self, ray: Ray) -> Sample {
         let scene = &self.scene;
-        let (mut ray, mut throughput) = (untracked(ray), Vec3::ONE);
+        let mut ray = from_eye(&scene.objects, ray);
+        let mut throughput = Vec3::ONE;
         let (mut sample, mut pending) = (Sample::default(), Vec::new());
         for _ in 0..MAX_RAYS {
-            if let Some(at) = ray.intersect(&scene.objects) {
-                let object = &scene.objects[at.index];
-                let Material { phong, optics } = &object.material.material;
-                let spawn = |direction| from_surface(&object.shape, &at, direction);
+            let (transmitted, hit) = follow(scene, &ray, between_media);
+            throughput *= transmitted;
+            if let Some((at, optics)) = hit {
+                let phong = &scene.objects[at.index].material.material.phong;
+                let spawn = |direction| from_surface(&at, direction);
                 let mut identity = at.index as u32;
                 if let Texture::Checker(..) = phong.colour {
-                    identity ^= hash_vector(at.point.with_y(0.0).floor());
+                    identity ^= hash_vector(at.uv().floor().extend(0.0));
                 }
                 let visibility = |light: &PointLight, to_light, distance| {
-                    let visible = (self.visibility)(scene, &spawn(to_light), distance);
+                    let shadow_ray = spawn(to_light);
+                    let visible =
+                        (self.visibility)(scene, &shadow_ray, light.position, distance);
                     if visible != Vec3::ZERO {
                         identity ^= hash_vector(light.position);
                     }
                     visible
                 };
-                for &index in &self.absorbing {
-                    let inside = path_length_inside(&scene.objects, index, &ray, at.t);
-                    let absorption = scene.objects[index].material.absorption;
-                    throughput *= transmittance(absorption, inside);
-                }
                 let radiance = shade(phong, &at, &scene.lights, visibility);
                 sample.radiance += throughput * radiance;
                 if throughput.max_element() > IDENTITY_THRESHOLD {
                     sample.signature = hash(sample.signature ^ identity);
                 }
-                let scattered = scatter(optics, &at, fresnel);
+                let scattered = scatter(&optics, &at, fresnel);
                 for (weight, direction) in scattered.into_iter().flatten() {
                     let (ray, throughput) = (spawn(direction), weight * throughput);
                     pending.push(PendingRay { ray, throughput });

@@ -10,7 +10,7 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 use reflection::PathBudget;
 use refraction::Material;
-use shadow_acne::{from_surface, untracked};
+use shadow_acne::{from_eye, from_surface};
 use shadows::Scene;
 
 /// Returns the rays through the pixels' centres.
@@ -53,7 +53,7 @@ pub fn scalar_picture(
     n: u32,
 ) -> Picture {
     let radiance = move |point| {
-        let ray = untracked(camera.ray(point));
+        let ray = from_eye(&scene.objects, camera.ray(point));
         shadow_acne::trace(&scene, &ray, budget, from_surface)
     };
     Picture::new(move |pixel| regular(pixel, n, &radiance))

@@ -13,7 +13,7 @@ use refraction::{Material, Optics};
 use shading::Phong;
 use shading::scene::still_life_surfaces;
 use shadow_acne::scene::balls_on_a_planet;
-use shadow_acne::{from_surface, untracked};
+use shadow_acne::{from_eye, from_surface};
 use shadows::Scene;
 use shadows::scene::lit_still_life;
 use sphere_hit::Sphere;
@@ -161,10 +161,15 @@ impl Model {
     /// Returns the radiance along a ray, by the chapters' own tracers.
     #[must_use]
     pub fn trace(&self, ray: Ray, budget: PathBudget) -> Vec3 {
-        let ray = untracked(ray);
         match self {
-            Self::Plain(scene) => shadow_acne::trace(scene, &ray, budget, from_surface),
-            Self::Absorbing(scene) => transparency::trace(scene, &ray, budget),
+            Self::Plain(scene) => {
+                let ray = from_eye(&scene.objects, ray);
+                shadow_acne::trace(scene, &ray, budget, from_surface)
+            }
+            Self::Absorbing(scene) => {
+                let ray = from_eye(&scene.objects, ray);
+                transparency::trace(scene, &ray, budget, transparency::between_media)
+            }
         }
     }
 

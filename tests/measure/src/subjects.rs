@@ -10,7 +10,7 @@ use ray_casting::Camera;
 use rayon::prelude::*;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::Material;
-use shadow_acne::{from_surface, trace, untracked};
+use shadow_acne::{from_eye, from_surface, trace};
 use shadows::Scene;
 use std::sync::Arc;
 
@@ -58,7 +58,12 @@ impl Subject {
             name: "still life",
             size: UVec2::new(32, 24),
             radiance: Arc::new(move |point| {
-                trace(&scene, &untracked(camera.ray(point)), budget, from_surface)
+                trace(
+                    &scene,
+                    &from_eye(&scene.objects, camera.ray(point)),
+                    budget,
+                    from_surface,
+                )
             }),
             means: Vec::new(),
             finest: 16,

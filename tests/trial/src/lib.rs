@@ -26,9 +26,9 @@ pub enum Method {
 }
 
 impl Method {
-    fn spawn(self, shape: &Shape, at: &Interaction, direction: Vec3) -> SurfaceRay {
+    fn spawn(self, at: &Interaction, direction: Vec3) -> SurfaceRay {
         match self {
-            Self::Spawn(spawn) => spawn(shape, at, direction),
+            Self::Spawn(spawn) => spawn(at, direction),
             Self::Offset(length) => {
                 let normal = face_forward(at.outward, -direction);
                 let origin = at.point + length * normal;
@@ -204,7 +204,7 @@ pub fn exactly(shape: Shape) -> oracle::Shape {
             centre: centre.as_dvec3(),
             radius: radius.into(),
         },
-        Shape::Plane(Plane { point, normal }) => oracle::Shape::Plane {
+        Shape::Plane(Plane { point, normal, .. }) => oracle::Shape::Plane {
             point: point.as_dvec3(),
             normal: normal.as_dvec3(),
         },
@@ -227,14 +227,10 @@ impl Trial {
         };
         for secondary in &self.rays {
             let ray = self.spawn(method, secondary);
-            let nearest = nearest_by(&self.objects, |index, object, t_max| {
-                let t_max = if t_max < secondary.t_max {
-                    t_max
-                } else {
-                    secondary.t_max
-                };
-                self.distance(&ray, index, &object.shape, t_max)
-            });
+            let nearest =
+                nearest_by(&self.objects, secondary.t_max, |index, object, t_max| {
+                    self.distance(&ray, index, &object.shape, t_max)
+                });
             let ours = nearest.map(|(index, _)| index);
             tally.add(secondary.at.index, secondary.exact, ours);
         }
@@ -254,7 +250,7 @@ impl Trial {
 
     fn spawn(&self, method: Method, secondary: &SecondaryRay) -> SurfaceRay {
         let SecondaryRay { at, direction, .. } = secondary;
-        method.spawn(&self.objects[at.index].shape, at, *direction)
+        method.spawn(at, *direction)
     }
 
     fn distance(
@@ -283,7 +279,7 @@ impl Trial {
         };
         let exact = self.first(&exact_ray, f64::INFINITY);
         let camera_ray = untracked(ray);
-        let ours = nearest_by(&self.objects, |index, object, t_max| {
+        let ours = nearest_by(&self.objects, T_MAX, |index, object, t_max| {
             self.distance(&camera_ray, index, &object.shape, t_max)
         });
         match (exact, ours) {

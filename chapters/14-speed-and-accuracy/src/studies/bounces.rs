@@ -98,7 +98,7 @@ fn bounce_from_surface(ray: &Ray) -> Ray {
     let t = exit_distance(&MIRROR, ray, T_MAX).unwrap_or(f32::NAN);
     let at = Interaction::new(&OBJECTS, ray, (0, t));
     let reflected = reflect(at.incident, at.normal);
-    from_surface(&OBJECTS[0].shape, &at, reflected).ray
+    from_surface(&at, reflected).ray
 }
 
 fn measure(clock: &Clock) -> Vec<Measurement> {

@@ -15,7 +15,7 @@ use packets::LANES;
 use plane_hit::nearest;
 use ray_casting::Ray;
 use reflection::{MAX_DEPTH, MIN_THROUGHPUT, PathBudget};
-use shadow_acne::{from_surface, trace, untracked};
+use shadow_acne::{from_eye, from_surface, trace};
 
 /// The cost of more pixels, samples, lights, bounces and spheres.
 ///
@@ -117,7 +117,12 @@ fn lit(n: u32, lights: u32) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
     Picture::new(move |pixel| {
         regular(pixel, n, &|point| {
-            trace(&scene, &untracked(camera.ray(point)), budget, from_surface)
+            trace(
+                &scene,
+                &from_eye(&scene.objects, camera.ray(point)),
+                budget,
+                from_surface,
+            )
         })
     })
 }
