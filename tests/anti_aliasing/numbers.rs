@@ -1,10 +1,16 @@
 //! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
 //! under test has written them.
 
-use ::anti_aliasing::{STAGE, Sampler, adaptive, jittered, mean_of_levels, regular};
+use ::anti_aliasing::{
+    STAGE, Sampler, adaptive, clamped, jittered, mean_of_levels, regular,
+};
 use canvas::{Pixel, encode};
+use fresnel::{fresnel, trace};
 use glam::{UVec2, Vec2, Vec3};
 use harness::{Numbers, SMALL, evenly, percent, render_at, table};
+use ray_casting::scene::still_life_camera;
+use reflection::{MAX_DEPTH, PathBudget};
+use refraction::scene::{AIR, GLASS, still_life_with_glass};
 
 /// A square picture whose pixels have the side 1/32 on the image plane.
 const SIZE: UVec2 = UVec2::splat(64);
@@ -33,6 +39,10 @@ fn the_numbers_are_those_in_the_book() {
         table(samplers.map(|(name, sampler, n)| [name.to_string(), missed(sampler, n)])),
     );
     numbers.note("rays", rays());
+    let [differing, worst, lost] = cost_of_clamping();
+    numbers.note("clamped-differing", differing);
+    numbers.note("clamped-worst", worst);
+    numbers.note("clamped-lost", lost);
     numbers.check(STAGE.name);
 }
 
@@ -54,6 +64,33 @@ fn missed(sampler: Sampler, n: u32) -> String {
         sampler(pixel, n, &radiance) == Vec3::ZERO
     });
     percent(missed.count(), (SIZE.x * SIZE.y) as usize)
+}
+
+/// Returns the cost of clamping on the still life by 4 × 4 samples: the fraction of the pixels
+/// whose levels differ, the largest difference in levels, and the fraction of a pixel's light
+/// that is lost where most is.
+fn cost_of_clamping() -> [String; 3] {
+    let scene = still_life_with_glass(GLASS, AIR);
+    let camera = still_life_camera();
+    let budget = PathBudget::new(MAX_DEPTH);
+    let radiance = |point| trace(&scene, &camera.ray(point), budget, fresnel);
+    let pairs = Pixel::all(SMALL).map(|pixel| {
+        [regular, clamped].map(|sampler: Sampler| sampler(pixel, 4, &radiance))
+    });
+    let (mut differing, mut worst, mut lost) = (0, 0, 0.0_f32);
+    for [mean, clamped] in pairs {
+        let [a, b] = [mean, clamped].map(encode);
+        let difference = (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap_or(0);
+        differing += usize::from(difference > 0);
+        worst = worst.max(difference);
+        lost = lost.max(1.0 - clamped.element_sum() / mean.element_sum());
+    }
+    let pixels = (SMALL.x * SMALL.y) as usize;
+    [
+        percent(differing, pixels),
+        worst.to_string(),
+        format!("{:.0} %", 100.0 * lost),
+    ]
 }
 
 /// Returns the rays of the still life by some samplers, and how many times those of one sample

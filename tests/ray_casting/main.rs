@@ -1,5 +1,6 @@
 //! The tests of the chapter `ray-casting`: its pictures, laws and numbers.
 
+mod faults;
 mod laws;
 mod numbers;
 

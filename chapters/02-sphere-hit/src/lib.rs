@@ -73,7 +73,7 @@ impl Sphere {
     /// closest approach to the centre. `None` if there is no such hit, or if the ray or the
     /// sphere is not finite.
     ///
-    /// The direction need not be a unit vector: a length in range ([`is_length`]) will do. The
+    /// The direction need not be a unit vector: a length from 1e-3 to 1e3 will do. The
     /// distance is in units of this length. A zero direction hits nothing.
     ///
     /// A ray that starts on the sphere may or may not hit it where it starts, as rounding has

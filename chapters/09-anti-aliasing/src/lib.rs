@@ -123,6 +123,21 @@ pub fn adaptive(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
 }
 // ANCHOR_END: adaptive
 
+// ANCHOR: clamped
+/// Returns the mean of n × n samples on a grid, as [`regular`] does, but none of them brighter
+/// than white, in any channel.
+///
+/// An edge of a light far brighter than white is smooth then; but light is lost, wherever a
+/// pixel holds both more than white and less.
+#[must_use]
+pub fn clamped(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    regular(pixel, n, &|point| {
+        let radiance = radiance(point);
+        Vec3::select(radiance.cmpgt(Vec3::ONE), Vec3::ONE, radiance)
+    })
+}
+// ANCHOR_END: clamped
+
 // ANCHOR: encoded
 /// The bug: returns the light of the mean *level* of n × n samples.
 ///

@@ -1,11 +1,12 @@
 //! The chapter's pictures.
 
 use crate::scene::horizon_camera;
-use crate::{Sampler, adaptive, jittered, mean_of_levels, regular};
+use crate::{Sampler, adaptive, clamped, jittered, mean_of_levels, regular};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use fresnel::{fresnel, trace};
 use glam::{Vec2, Vec3};
 use plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
+use ray_casting::SKY;
 use ray_casting::scene::still_life_camera;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::{AIR, GLASS, still_life_with_glass};
@@ -71,6 +72,18 @@ pub const STAGE: Stage = Stage {
             knob: Some(samples_knob(8, &[])),
             picture: |n| horizon_by(n, regular),
         },
+        View {
+            name: "lamp-grid",
+            caption: "A lamp a hundred times as bright as white: whatever touches it is white, and its edge has stairs.",
+            knob: Some(samples_knob(8, &[])),
+            picture: |n| lamp_by(n, regular),
+        },
+        View {
+            name: "lamp-clamped",
+            caption: "The same, each sample clamped to white: a smooth edge, and less light.",
+            knob: Some(samples_knob(8, &[])),
+            picture: |n| lamp_by(n, clamped),
+        },
     ],
 };
 
@@ -120,6 +133,17 @@ fn dots_by(n: f32, sampler: Sampler) -> Picture {
         } else {
             0.0
         })
+    })
+}
+
+/// Returns the picture of a disc, a hundred times as bright as white, before a dark sky.
+fn lamp_by(n: f32, sampler: Sampler) -> Picture {
+    sampled(n, sampler, |point| {
+        if point.length() < 0.5 {
+            Vec3::splat(100.0)
+        } else {
+            0.1 * SKY
+        }
     })
 }
 

@@ -11,6 +11,8 @@ use std::ops::Range;
 pub fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,
+        // As many as a narrow condition rejects.
+        max_global_rejects: 100 * cases,
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(1968),
         ..ProptestConfig::default()
