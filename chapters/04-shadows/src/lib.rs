@@ -101,7 +101,7 @@ impl<M> Scene<M> {
 
 // ANCHOR: on-surface
 /// A bound of the relative error of a few rounded operations.
-pub const ROUNDING: f32 = 8.0 * f32::EPSILON;
+pub const ROUNDING: f32 = 2.0 * f32::EPSILON;
 
 /// Returns the sum of a point's coordinates, without their signs.
 fn size(point: Vec3) -> f32 {
@@ -164,6 +164,10 @@ pub struct Interaction {
     pub normal: Vec3,
 }
 
+/// The least cosine of the angle of incidence: what is computed from it by a few rounded
+/// operations still has its sign.
+pub const MIN_COS_THETA: f32 = 8.0 * f32::EPSILON;
+
 impl Interaction {
     /// Returns the interaction of `ray` with the object that it hits: its index, and the
     /// distance.
@@ -178,9 +182,9 @@ impl Interaction {
         let mut normal = facing(shape.normal(point));
         // Where a ray only grazes a sphere, rounding would decide on which side it is. So the
         // normal is turned, by no more than rounding can have turned it.
-        let cos_theta = normal.dot(incident);
-        if cos_theta > -ROUNDING {
-            normal = (normal - (cos_theta + ROUNDING) * incident).normalize();
+        let cos_theta = -normal.dot(incident);
+        if cos_theta < MIN_COS_THETA {
+            normal = (normal + (cos_theta - MIN_COS_THETA) * incident).normalize();
         }
         Self {
             index,

@@ -5,7 +5,7 @@ use glam::Vec3;
 use plane_hit::{Object, Shape, Texture};
 use refraction::{Material, Optics};
 use shading::{Phong, powi};
-use shadows::ROUNDING;
+use shadows::{MIN_COS_THETA, ROUNDING};
 use sphere_hit::Sphere;
 
 // ANCHOR: interaction
@@ -46,10 +46,10 @@ impl<'a> Interactions<'a> {
         let enters = rays.is_entered(&object.shape, t);
         let facing = |outward: Vec3x16| enters.select(outward, outward * -1.0);
         let mut normal = facing(outward);
-        let cos_theta = normal.dot(incident);
-        let grazes = active & cos_theta.simd_gt(-ROUNDING);
+        let cos_theta = -normal.dot(incident);
+        let grazes = active & cos_theta.simd_lt(MIN_COS_THETA);
         if grazes.any() {
-            let turned = (normal - incident * (cos_theta + ROUNDING)).normalize();
+            let turned = (normal + incident * (cos_theta - MIN_COS_THETA)).normalize();
             normal = grazes.select(turned, normal);
         }
         let outward = facing(normal);
