@@ -213,3 +213,43 @@ fn the_trees_are_those_in_the_book() {
     }
     numbers.check(&format!("{}-trees", STAGE.name));
 }
+
+/// On the ceiling it lights the whole floor, and in the plane of the floor none of it: the
+/// explanation says so for every pixel that shows the floor.
+#[test]
+fn a_lamp_on_a_surface_is_explained_as_visible() {
+    let (mut scene, _) = still_life();
+    scene.objects.truncate(1);
+    let mut ceiling = scene.objects[0].clone();
+    ceiling.name = "ceiling";
+    ceiling.shape = Shape::plane(4.0 * Vec3::Y, Vec3::NEG_Y);
+    scene.objects.push(ceiling);
+    scene.lights.truncate(1);
+    let eye = Vec3::new(0.0, 1.6, -5.0);
+    let camera = Camera::new(eye, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
+    for (lamp, is_visible) in [
+        (Vec3::new(0.3, 4.0, 1.7), true),
+        (Vec3::new(0.3, 0.0, 1.7), false),
+    ] {
+        scene.lights[0].position = lamp;
+        let mut floor = 0;
+        for pixel in Pixel::all(UVec2::new(80, 60)) {
+            let explained = explain(&scene, &camera, pixel.centre(), budget());
+            let Outcome::Hit(hit) = &explained.outcome else {
+                continue;
+            };
+            if hit.object.name != "floor" {
+                continue;
+            }
+            floor += 1;
+            let (_, visibility) = hit.lights[0];
+            let expected = if is_visible {
+                matches!(visibility, Visibility::Visible)
+            } else {
+                matches!(visibility, Visibility::BelowHorizon)
+            };
+            assert!(expected, "{explained}");
+        }
+        assert!(floor > 1000);
+    }
+}

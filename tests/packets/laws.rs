@@ -171,6 +171,43 @@ fn so_have_the_strangest_scenes() {
     with(&|scene| scene.objects[3].material.phong.diffuse = 0.0);
 }
 
+/// A room with lamps on its ceiling, on a wall and on balls, glossy, and the eye on its floor, on a
+/// wall, on a ball: the lamps are hidden by nothing that they are on, for one ray and for sixteen.
+#[test]
+fn so_have_lamps_and_eyes_on_surfaces() {
+    let (still_life, _) = plain_scene("still-life");
+    let mut walls = still_life.clone();
+    for (shape, index) in [
+        (Shape::plane(4.0 * Vec3::Y, Vec3::NEG_Y), 1),
+        (
+            Shape::plane(Vec3::new(0.0, 0.0, 5.0), Vec3::new(0.1, 0.2, -1.0)),
+            3,
+        ),
+    ] {
+        walls.objects[index].shape = shape;
+    }
+    for lamp in [
+        Vec3::new(0.3, 4.0, 1.7),
+        Vec3::new(2.0, 1.0, 5.4),
+        Vec3::new(0.2, 1.2, 0.8),
+        Vec3::new(0.9, 1.2, -1.2),
+    ] {
+        for eye in [
+            Vec3::new(0.0, 1.6, -5.0),
+            Vec3::new(1.0, 0.0, -5.0),
+            Vec3::new(0.5, 4.0, -3.0),
+            Vec3::new(0.9, 0.6, -1.8),
+        ] {
+            let mut scene = walls.clone();
+            scene.lights[0].position = lamp;
+            let towards = Vec3::new(0.1, 0.9, 2.0) - eye;
+            let camera = Camera::new(eye, towards, Vec3::Y, 1.0).expect("a camera");
+            let name = format!("lamp {lamp}, eye {eye}");
+            assert_same(&name, (&scene, camera), usual(), 1, UVec2::new(80, 60));
+        }
+    }
+}
+
 /// Equal indices reflect nothing: so near to grazing, sin²θ rounds to 1, and the formula alone would reflect all.
 #[test]
 fn so_has_an_interface_of_equal_indices_at_grazing_incidence() {

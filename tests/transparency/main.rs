@@ -1,6 +1,7 @@
 //! The tests of the chapter `transparency`: its pictures, laws and numbers.
 
 mod agreement;
+mod faults;
 mod laws;
 mod numbers;
 
