@@ -39,6 +39,10 @@ fn the_numbers_are_those_in_the_book() {
         table(samplers.map(|(name, sampler, n)| [name.to_string(), missed(sampler, n)])),
     );
     numbers.note("rays", rays());
+    for (name, light) in [("black", 0.0), ("half", 0.5)] {
+        let [from, to] = [light, light + 0.05].map(|light| encode(Vec3::splat(light))[0]);
+        numbers.note(&format!("twentieth-of-{name}"), to - from);
+    }
     let [differing, worst, lost] = cost_of_clamping();
     numbers.note("clamped-differing", differing);
     numbers.note("clamped-worst", worst);

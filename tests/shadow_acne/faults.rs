@@ -161,7 +161,7 @@ fn a_lamp_in_the_plane_of_a_glossy_floor_makes_no_speckles() {
 
 /// Returns how many pixels differ by more than a tenth of white from the oracle's, in a picture
 /// of balls on a sphere of this radius.
-fn wrong_pixels(ground: f32) -> usize {
+pub fn wrong_pixels(ground: f32) -> usize {
     let ball = |x: f32, z: f32, radius: f32| Shape::sphere(vec3(x, radius, z), radius);
     let shapes = [
         Shape::sphere(-ground * Vec3::Y, ground),

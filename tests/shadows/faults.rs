@@ -191,7 +191,7 @@ proptest! {
         position in special_vector(), intensity in special()
     ) {
         let is_in_range = position.to_array().iter().all(|x| x.abs() <= MAX_LENGTH)
-            && intensity >= 0.0 && intensity <= MAX_LENGTH;
+            && (0.0..=MAX_LENGTH).contains(&intensity);
         prop_assert_eq!(PointLight::new(position, intensity).is_some(), is_in_range);
     }
 }

@@ -11,7 +11,7 @@ use ::shadows::{
     Interaction, PointLight, STAGE, Scene, is_visible, is_visible_buggy, trace,
 };
 use glam::Vec3;
-use harness::{HERO, Numbers, SMALL, percent, ray_counts, render, table};
+use harness::{HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -73,23 +73,16 @@ fn shadow_radius(scale: f32) -> f32 {
         position: 10.0 * scale * Vec3::Y,
         intensity: 1.0,
     };
-    let (mut dark, mut lit) = (0.0, 2.0 * scale);
-    for _ in 0..30 {
-        let middle = (dark + lit) / 2.0;
+    edge_of_shadow(2.0 * scale, |x| {
         let at = Interaction {
             index: 1,
             shape: floor,
             t: 1.0,
-            point: middle * Vec3::X,
+            point: x * Vec3::X,
             incident: Vec3::NEG_Y,
             outward: Vec3::Y,
             normal: Vec3::Y,
         };
-        if is_visible(&scene, &at, &light) {
-            lit = middle;
-        } else {
-            dark = middle;
-        }
-    }
-    lit
+        is_visible(&scene, &at, &light)
+    })
 }

@@ -81,7 +81,7 @@ proptest! {
     #[test]
     fn what_a_constructor_accepts_is_in_range(centre in special_vector(), radius in special()) {
         let is_in_range = centre.to_array().iter().all(|x| x.abs() <= MAX_LENGTH)
-            && radius >= 1.0 / MAX_LENGTH && radius <= MAX_LENGTH;
+            && (1.0 / MAX_LENGTH..=MAX_LENGTH).contains(&radius);
         prop_assert_eq!(Sphere::new(centre, radius).is_some(), is_in_range);
     }
 }

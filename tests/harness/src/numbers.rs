@@ -33,6 +33,21 @@ impl Numbers {
     }
 }
 
+/// Returns where `is_lit` begins to hold between 0 and `lit`, to the last bit or so.
+#[must_use]
+pub fn edge_of_shadow(mut lit: f32, is_lit: impl Fn(f32) -> bool) -> f32 {
+    let mut dark = 0.0;
+    for _ in 0..30 {
+        let middle = (dark + lit) / 2.0;
+        if is_lit(middle) {
+            lit = middle;
+        } else {
+            dark = middle;
+        }
+    }
+    lit
+}
+
 /// Returns a fraction as a percentage with three digits.
 #[must_use]
 pub fn percent(part: usize, whole: usize) -> String {
