@@ -122,6 +122,7 @@ fn water_absorbs_the_light_that_falls_on_its_ground() {
     ground.material.material.phong = Phong {
         ambient: 0.0,
         diffuse: 1.0,
+        specular: 0.0,
         ..ground.material.material.phong
     };
     let light = PointLight::new(5.0 * Vec3::Y, 1.0).expect("in range");
