@@ -1,18 +1,20 @@
 //! The reference for the chapters: a plain tracer in f64, and exact intersections.
 //!
 //! It shares no code with the chapters, so that a bug in a chapter cannot hide in it: it has types of
-//! its own, finds hits by another derivation, refracts light by another, and writes the scene out once
-//! more. It is not fast, and needs no offset: a ray holds the index of the object that it starts on.
+//! its own, finds hits by another derivation, refracts light by another, finds a ray's media by intervals,
+//! and writes the scene out once more. It is not fast, and needs no offset: a ray holds the index of the
+//! object that it starts on.
 
 pub mod exact;
 mod interface;
+mod media;
 mod still_life;
 pub use interface::Interface;
 pub use still_life::{
     still_life, still_life_camera, still_life_with_glass, still_life_with_mirrors,
 };
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3Swizzles};
 
 /// A half-line; its direction need not be a unit vector.
 #[derive(Clone, Copy, Debug)]
@@ -93,19 +95,29 @@ pub enum Shape {
 
 impl Shape {
     /// Returns the interval of the ray's line inside the shape, in lengths of its direction: its first and
-    /// its second end. A plane has no inside: both are the same.
+    /// its second end. A plane's inside is all that is behind it, so that one end is infinite, or both.
+    /// `None` for a line that is never inside.
     ///
     /// `starts_here` says that the ray's origin, and with it one of the ends, is on the surface.
     fn interval(&self, ray: &Ray, starts_here: bool) -> Option<[f64; 2]> {
         match *self {
             Shape::Plane { point, normal } => {
-                let height = normal.dot(point - ray.origin);
-                let t = if starts_here {
+                let depth = if starts_here {
                     0.0
                 } else {
-                    height / normal.dot(ray.direction)
+                    normal.dot(point - ray.origin)
                 };
-                t.is_finite().then_some([t, t])
+                let rate = normal.dot(ray.direction);
+                let t = depth / rate;
+                if !t.is_finite() {
+                    // Parallel to the plane.
+                    return (depth > 0.0).then_some([f64::NEG_INFINITY, f64::INFINITY]);
+                }
+                Some(if rate < 0.0 {
+                    [t, f64::INFINITY]
+                } else {
+                    [f64::NEG_INFINITY, t]
+                })
             }
             Shape::Sphere { centre, radius } => {
                 // a t² + 2 b t + c = 0.
@@ -139,7 +151,7 @@ impl Shape {
     #[must_use]
     pub fn distance(&self, ray: &Ray, starts_here: bool) -> Option<f64> {
         let ends = self.interval(ray, starts_here)?;
-        ends.into_iter().find(|&t| t > 0.0)
+        ends.into_iter().find(|&t| t > 0.0 && t.is_finite())
     }
 
     /// Returns the point of the surface that is nearest to a computed one.
@@ -158,6 +170,40 @@ impl Shape {
             Shape::Plane { normal, .. } => normal,
         }
     }
+
+    /// Returns two coordinates of a point of the surface: of a plane, along two perpendicular directions in
+    /// it and from its own point; of a sphere, x and z from its centre.
+    ///
+    /// Those of the floor y = 0 through the world's origin are x and z.
+    #[must_use]
+    pub fn uv(&self, at: DVec3) -> DVec2 {
+        match *self {
+            Shape::Sphere { centre, .. } => (at - centre).xz(),
+            Shape::Plane { point, normal } => {
+                let axis = if normal.x.abs() > 0.9 {
+                    DVec3::Z
+                } else {
+                    DVec3::X
+                };
+                let u = axis.reject_from_normalized(normal).normalize();
+                let v = u.cross(normal);
+                let v = if v.y + v.z < 0.0 { -v } else { v };
+                DVec2::new(u.dot(at - point), v.dot(at - point))
+            }
+        }
+    }
+
+    /// Returns whether a `light` is in front of the surface at a point, where its normal, turned to the ray's
+    /// side, is `normal`.
+    ///
+    /// A plane is asked for the light's height above itself, so that all of its points give one answer.
+    fn faces(&self, light: DVec3, at: DVec3, normal: DVec3) -> bool {
+        let foot = match *self {
+            Shape::Sphere { .. } => at,
+            Shape::Plane { point, .. } => point,
+        };
+        normal.dot(light - foot) > 0.0
+    }
 }
 
 /// A surface's colour, linear.
@@ -165,17 +211,17 @@ impl Shape {
 pub enum Texture {
     /// The same colour everywhere.
     Solid(DVec3),
-    /// Squares of side 1 by x and z: where ⌊x⌋ + ⌊z⌋ is even, and where it is odd.
+    /// Squares of side 1 by the surface's own coordinates: where ⌊u⌋ + ⌊v⌋ is even, and where it is odd.
     Checker(DVec3, DVec3),
 }
 
 impl Texture {
-    fn at(&self, point: DVec3) -> DVec3 {
+    fn at(&self, uv: DVec2) -> DVec3 {
         match *self {
             Texture::Solid(colour) => colour,
             Texture::Checker(even, odd) => {
                 // Of a sum of whole numbers below 2⁵³, the remainder is exact.
-                if (point.x.floor() + point.z.floor()) % 2.0 == 0.0 {
+                if (uv.x.floor() + uv.y.floor()) % 2.0 == 0.0 {
                     even
                 } else {
                     odd
@@ -205,11 +251,12 @@ pub struct Surface {
 pub enum Optics {
     /// This fraction of the light is reflected, and the rest is lost.
     Opaque(f64),
-    /// Light passes through.
+    /// Light passes through. Where several dielectrics are at one place, the last in the list of objects
+    /// displaces the others.
     Dielectric {
         /// The index of refraction inside.
         eta_inside: f64,
-        /// The index of refraction outside.
+        /// The index of refraction outside, where no other dielectric is.
         eta_outside: f64,
         /// The parts of glass's behaviour that are modelled.
         glass: Glass,
@@ -239,6 +286,13 @@ pub struct Object {
     pub optics: Optics,
 }
 
+impl Object {
+    /// Returns its colour at a point of its surface.
+    fn colour(&self, at: DVec3) -> DVec3 {
+        self.surface.texture.at(self.shape.uv(at))
+    }
+}
+
 /// A point that shines in all directions; its light does not fade with distance.
 #[derive(Clone, Copy, Debug)]
 pub struct PointLight {
@@ -264,12 +318,16 @@ pub struct Scene {
 pub struct Interaction {
     /// The object's index in the scene.
     pub object: usize,
+    /// The distance along the ray, in lengths of its direction.
+    pub t: f64,
     /// The point.
     pub point: DVec3,
     /// The surface's unit normal there, on the side that the ray has come from.
     pub normal: DVec3,
     /// Whether the ray comes from inside the object, or from below a plane.
     pub leaves: bool,
+    /// The indices of refraction on the ray's side and beyond; both 1 at an opaque object.
+    pub indices: [f64; 2],
 }
 
 impl Interaction {
@@ -284,91 +342,11 @@ impl Interaction {
     }
 }
 
-impl Scene {
-    /// Returns the interval of a ray inside the object with this index.
-    fn interval(&self, object: usize, ray: &Ray) -> Option<[f64; 2]> {
-        let starts_here = ray.from == Some(object);
-        self.objects[object].shape.interval(ray, starts_here)
-    }
-
-    /// Returns the distance to the ray's first hit on the object with this index.
-    fn distance(&self, object: usize, ray: &Ray) -> Option<f64> {
-        let starts_here = ray.from == Some(object);
-        self.objects[object].shape.distance(ray, starts_here)
-    }
-
-    /// Returns the ray's first hit. `None` if it hits nothing.
-    #[must_use]
-    pub fn intersect(&self, ray: &Ray) -> Option<Interaction> {
-        let objects = 0..self.objects.len();
-        let hits =
-            objects.filter_map(|object| Some((object, self.distance(object, ray)?)));
-        let (object, t) = hits.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let shape = self.objects[object].shape;
-        let point = shape.nearest_to(ray.origin + t * ray.direction);
-        let normal = shape.normal(point);
-        let leaves = normal.dot(ray.direction) > 0.0;
-        Some(Interaction {
-            object,
-            point,
-            normal: if leaves { -normal } else { normal },
-            leaves,
-        })
-    }
-
-    /// Returns the transmittance, for red, green and blue, of all absorbing glass along a ray, from t = 0 to
-    /// t = 1.
-    ///
-    /// Source: Beer–Lambert: e^(−a d).
-    #[expect(clippy::disallowed_methods, reason = "the oracle makes no picture")]
-    fn transmittance(&self, ray: &Ray) -> DVec3 {
-        let mut exponent = DVec3::ZERO;
-        for (object, Object { optics, .. }) in self.objects.iter().enumerate() {
-            if let Optics::Dielectric {
-                glass: Glass::Absorbs(absorption),
-                ..
-            } = optics
-                && let Some([from, to]) = self.interval(object, ray)
-            {
-                let inside = to.clamp(0.0, 1.0) - from.clamp(0.0, 1.0);
-                exponent -= *absorption * inside * ray.direction.length();
-            }
-        }
-        exponent.map(f64::exp)
-    }
-
-    /// Returns the fraction of a light's red, green and blue that arrives at a hit.
-    ///
-    /// A light behind the surface is hidden by it.
-    #[must_use]
-    pub fn visibility(&self, at: &Interaction, light: &PointLight) -> DVec3 {
-        // The light is at t = 1.
-        let shadow_ray = at.spawn(light.position - at.point);
-        let occludes = |object: usize| {
-            let optics = self.objects[object].optics;
-            !matches!(
-                optics,
-                Optics::Dielectric {
-                    glass: Glass::Absorbs(_),
-                    ..
-                }
-            ) && self.distance(object, &shadow_ray).is_some_and(|t| t < 1.0)
-        };
-        let is_lit = at.normal.dot(shadow_ray.direction) > 0.0
-            && !(0..self.objects.len()).any(occludes);
-        if is_lit {
-            self.transmittance(&shadow_ray)
-        } else {
-            DVec3::ZERO
-        }
-    }
-}
-
 /// Returns the flat colour of the first object that a ray hits.
 #[must_use]
 pub fn trace_flat(scene: &Scene, ray: &Ray) -> DVec3 {
     scene.intersect(ray).map_or(scene.background, |at| {
-        scene.objects[at.object].surface.texture.at(at.point)
+        scene.objects[at.object].colour(at.point)
     })
 }
 
@@ -380,7 +358,7 @@ pub fn trace_shadows(scene: &Scene, ray: &Ray) -> DVec3 {
         let light: DVec3 = lights
             .map(|light| light.intensity * scene.visibility(&at, light))
             .sum();
-        light * scene.objects[at.object].surface.texture.at(at.point)
+        light * scene.objects[at.object].colour(at.point)
     })
 }
 
@@ -410,13 +388,10 @@ pub fn trace(scene: &Scene, ray: &Ray, limit: Limit) -> DVec3 {
 /// Returns the radiance along a ray with this `throughput`.
 fn radiance(scene: &Scene, ray: &Ray, limit: Limit, throughput: f64) -> DVec3 {
     let Some(at) = scene.intersect(ray) else {
-        return scene.background;
+        return scene.transmittance(ray, f64::INFINITY) * scene.background;
     };
     // All light from there has come along the ray.
-    let transmitted = scene.transmittance(&Ray {
-        direction: at.point - ray.origin,
-        ..*ray
-    });
+    let transmitted = scene.transmittance(ray, at.t);
     let trace_next = |weight: f64, direction: DVec3| {
         let throughput = throughput * weight * transmitted.max_element();
         if limit.bounces == 0 || !(throughput > limit.min_throughput) {
@@ -432,19 +407,10 @@ fn radiance(scene: &Scene, ray: &Ray, limit: Limit, throughput: f64) -> DVec3 {
     let seen = match scene.objects[at.object].optics {
         Optics::Opaque(reflected) => trace_next(
             reflected,
-            Interface::new(incident, at.normal, [1.0, 1.0]).reflected,
+            Interface::new(incident, at.normal, at.indices).reflected,
         ),
-        Optics::Dielectric {
-            eta_inside,
-            eta_outside,
-            glass,
-        } => {
-            let indices = if at.leaves {
-                [eta_inside, eta_outside]
-            } else {
-                [eta_outside, eta_inside]
-            };
-            let interface = Interface::new(incident, at.normal, indices);
+        Optics::Dielectric { glass, .. } => {
+            let interface = Interface::new(incident, at.normal, at.indices);
             match (interface.refracted, glass) {
                 (None, _) => trace_next(1.0, interface.reflected),
                 (Some(refracted), Glass::Refracts) => trace_next(1.0, refracted),
@@ -462,8 +428,8 @@ fn radiance(scene: &Scene, ray: &Ray, limit: Limit, throughput: f64) -> DVec3 {
 /// reflected.
 #[expect(clippy::disallowed_methods, reason = "the oracle makes no picture")]
 fn shade(scene: &Scene, incident: DVec3, at: &Interaction) -> DVec3 {
-    let surface = &scene.objects[at.object].surface;
-    let colour = surface.texture.at(at.point);
+    let object = &scene.objects[at.object];
+    let (surface, colour) = (&object.surface, object.colour(at.point));
     let reflected = incident - 2.0 * incident.dot(at.normal) * at.normal;
     let mut radiance = surface.ambient * colour;
     for light in &scene.lights {
