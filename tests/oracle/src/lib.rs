@@ -9,10 +9,12 @@ pub mod exact;
 mod interface;
 mod media;
 mod still_life;
+mod water;
 pub use interface::Interface;
 pub use still_life::{
     still_life, still_life_camera, still_life_with_glass, still_life_with_mirrors,
 };
+pub use water::{water, water_camera};
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
