@@ -10,7 +10,8 @@ use ::shadows::{PointLight, Scene};
 use ::transparency::{Absorbing, STAGE, between_media, trace};
 use canvas::{Canvas, Picture};
 use glam::{Vec3, vec3};
-use harness::povray::{WATER, assert_water};
+use harness::SMALL;
+use harness::povray::assert_water;
 
 /// Returns the scene of `tests/povray/water.pov`, and its camera.
 fn water() -> (Scene<Absorbing>, Camera) {
@@ -78,7 +79,7 @@ fn glass_in_the_water_is_as_povray_renders_it() {
         let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
         trace(&scene, &ray, PathBudget::new(MAX_DEPTH), between_media)
     });
-    let radiance = Canvas::render(&picture, WATER).radiance;
+    let radiance = Canvas::render(&picture, SMALL).radiance;
     let ours: Vec<_> = radiance.iter().map(|v| v.as_dvec3()).collect();
     assert_water(STAGE.name, [0.0015, 1.5e-4], &ours);
 }

@@ -28,7 +28,7 @@ const DEEP: Limit = Limit {
 /// If more than `fraction` of the pixels differ, or one that is not at an edge.
 pub fn assert_plastic(stage: &Stage, trace: fn(&Scene, &Ray) -> DVec3, fraction: f64) {
     let comparison = Comparison::new(stage, crate::HERO, 1, oracle::still_life(), trace);
-    comparison.assert_agreement(stage, fraction);
+    assert_agreement([comparison], fraction, stage.name);
 }
 
 /// Compares a chapter's first view, of n × n samples per pixel, with a scene in which light
@@ -38,10 +38,34 @@ pub fn assert_plastic(stage: &Stage, trace: fn(&Scene, &Ray) -> DVec3, fraction:
 /// If more than `fraction` of the pixels differ, or one that is not at an edge.
 pub fn assert_deep(stage: &Stage, size: UVec2, n: u32, scene: Scene, fraction: f64) {
     let trace = |scene: &Scene, ray: &Ray| oracle::trace(scene, ray, DEEP);
-    Comparison::new(stage, size, n, scene, trace).assert_agreement(stage, fraction);
+    let comparison = Comparison::new(stage, size, n, scene, trace);
+    assert_agreement([comparison], fraction, stage.name);
 }
 
-/// Two pictures of one scene: a stage's first view, and the oracle's.
+/// Compares pictures, of one sample per pixel, with the oracle's of these scenes, in which light is reflected and
+/// refracted. In both, rays beyond the `limit` are black.
+///
+/// # Panics
+/// If more than `fraction` of all pixels differ, or one that is not at an edge.
+pub fn assert_scenes(
+    name: &str,
+    pictures: impl IntoIterator<Item = (Canvas, Scene, Camera)>,
+    limit: Limit,
+    fraction: f64,
+) {
+    let comparisons = pictures
+        .into_iter()
+        .map(|(ours, scene, camera)| Comparison {
+            ours,
+            n: 1,
+            scene,
+            camera,
+            trace: move |scene: &Scene, ray: &Ray| oracle::trace(scene, ray, limit),
+        });
+    assert_agreement(comparisons, fraction, name);
+}
+
+/// Two pictures of one scene: ours, and the oracle's.
 struct Comparison<T> {
     ours: Canvas,
     /// A pixel is the mean of n × n samples.
@@ -101,27 +125,33 @@ impl<T: Fn(&Scene, &Ray) -> DVec3 + Sync> Comparison<T> {
         let moved = (0..441).map(|i| DVec2::new(step(i % 21), step(i / 21)));
         is_between(ours, self.levels(pixel, &moved.collect::<Vec<_>>()))
     }
+}
 
-    fn assert_agreement(&self, stage: &Stage, fraction: f64) {
-        let differing = self.differing();
-        let pixels = self.ours.levels.len();
-        let measured = percent(differing.len(), pixels);
-        assert!(
-            differing.len() as f64 <= fraction * pixels as f64,
-            "{measured} of the pixels differ from the oracle's"
-        );
-        let elsewhere = differing
+fn assert_agreement<T: Fn(&Scene, &Ray) -> DVec3 + Sync>(
+    comparisons: impl IntoIterator<Item = Comparison<T>>,
+    fraction: f64,
+    name: &str,
+) {
+    let (mut differ, mut pixels, mut elsewhere) = (0, 0, Vec::new());
+    for (scene, comparison) in comparisons.into_iter().enumerate() {
+        let differing = comparison.differing();
+        differ += differing.len();
+        pixels += comparison.ours.levels.len();
+        let apart = differing
             .par_iter()
-            .find_any(|(ours, pixel)| !self.is_at_an_edge(*ours, *pixel));
-        assert_eq!(
-            elsewhere, None,
-            "differs from the oracle's, far from any edge"
-        );
-
-        let mut numbers = Numbers::default();
-        numbers.note("disagreement", measured);
-        numbers.check(&format!("{}-agreement", stage.name));
+            .find_any(|(ours, pixel)| !comparison.is_at_an_edge(*ours, *pixel));
+        elsewhere.extend(apart.map(|&apart| (scene, apart)));
     }
+    let measured = percent(differ, pixels);
+    assert!(
+        differ as f64 <= fraction * pixels as f64,
+        "{measured} of the pixels differ from the oracle's"
+    );
+    assert_eq!(elsewhere, [], "differ from the oracle's, far from any edge");
+
+    let mut numbers = Numbers::default();
+    numbers.note("disagreement", measured);
+    numbers.check(&format!("{name}-agreement"));
 }
 
 /// Returns whether our levels are between the oracle's least and greatest, or at most one

@@ -5,11 +5,8 @@
 
 use crate::{HERO, Numbers, percent, three_digits};
 use canvas::{Canvas, Picture};
-use glam::{DVec3, UVec2};
+use glam::DVec3;
 use std::path::Path;
-
-/// The size of the picture of bodies in the water.
-pub const WATER: UVec2 = UVec2::new(320, 240);
 
 /// Returns POV-Ray's picture of a name in linear levels, 1/255 of full light.
 fn theirs(name: &str) -> Vec<DVec3> {
@@ -92,14 +89,13 @@ pub fn assert_radiance(name: &str, max: [f64; 2], ours: impl Fn(u32) -> Vec<DVec
     numbers.check(&format!("{name}-povray"));
 }
 
-/// Compares the radiance of the pixels of a picture of bodies in the water, whose rays are followed as far as
-/// they can be seen, with POV-Ray's.
+/// Compares the radiance of a 320 × 240 picture of bodies in the water, whose rays are followed as far as they can be
+/// seen, with POV-Ray's.
 ///
 /// # Panics
-/// If the mean difference is more than `max_mean` linear levels, or if more than
-/// `max_fraction` of the pixels are more than one level apart.
-pub fn assert_water(name: &str, [max_mean, max_fraction]: [f64; 2], ours: &[DVec3]) {
-    let [mean, fraction] = difference("water", ours, [max_mean, max_fraction]);
+/// As [`assert_radiance`] does.
+pub fn assert_water(name: &str, max: [f64; 2], ours: &[DVec3]) {
+    let [mean, fraction] = difference("water", ours, max);
     let mut numbers = Numbers::default();
     numbers.note("water", format!("| {mean} | {fraction} |"));
     numbers.check(&format!("{name}-povray-water"));

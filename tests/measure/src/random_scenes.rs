@@ -121,6 +121,89 @@ fn glass(eta_outside: f32, random: &mut Random) -> Absorbing {
     }
 }
 
+/// Returns a scene of bodies that overlap, nest and touch, and a camera that looks at them: balls, most of them
+/// clear, among them some of the same medium, mostly on the surface of endless water and over a checkered
+/// bottom, in any order. The eye may be in the water, and a light in a ball.
+///
+/// # Panics
+/// Never: all shapes and the camera are valid, and no two surfaces are the same.
+#[must_use]
+pub fn overlapping(seed: u32) -> (Scene<Absorbing>, Camera) {
+    let random = &mut Random::new(seed);
+    let eta_outside = random.pick(&[1.0, 1.0, 1.2]);
+    let tint = random.between(0.0, 1.0) * random.colour();
+    let body = |shape, random: &mut Random| {
+        let material = if random.chance(0.2) {
+            plastic(Texture::Solid(random.colour()), random)
+        } else {
+            let mut clear = glass(eta_outside, random);
+            clear.material.optics = Optics::Dielectric {
+                eta_inside: random.pick(&[1.0, 1.31, 1.33, 1.5, 1.5, 1.7]),
+                eta_outside,
+            };
+            clear.absorption = random.pick(&[Vec3::ZERO, tint, clear.absorption]);
+            clear
+        };
+        Object {
+            name: "ball",
+            shape,
+            material,
+        }
+    };
+    let (mut centre, mut radius) = (DVec3::ZERO, f64::from(random.between(0.6, 1.2)));
+    let mut objects: Vec<Object<Absorbing>> = Vec::new();
+    for _ in 0..2 + random.index(4) {
+        let ball = Shape::sphere(centre.as_vec3(), radius as f32);
+        objects.push(body(ball, random));
+        let next = f64::from(random.between(0.3, 0.9));
+        let out = random.direction();
+        (centre, radius) = match random.index(5) {
+            // Overlapping, touching from outside and from inside, and nested.
+            0 | 1 => (centre + radius * out, next),
+            2 => (centre + (radius + next) * out, next),
+            3 => (centre + (1.0 - next) * radius * out, next * radius),
+            _ => (centre + 0.5 * (1.0 - next) * radius * out, next * radius),
+        };
+    }
+    let checker = Texture::Checker(random.colour(), random.colour());
+    let bottom = Shape::plane(3.0 * Vec3::NEG_Y, Vec3::Y);
+    objects.push(Object {
+        name: "bottom",
+        shape: bottom,
+        material: plastic(checker, random),
+    });
+    if random.chance(0.7) {
+        let normal = Vec3::Y + random.between(0.0, 0.3) * random.direction().as_vec3();
+        let level = random.between(-1.0, 1.0) * Vec3::Y;
+        let mut water = body(Shape::plane(level, normal), random);
+        if let Optics::Dielectric { .. } = water.material.material.optics {
+            water.name = "water";
+            objects.insert(random.index(objects.len()), water);
+        }
+    }
+    let lights = (0..1 + random.index(2)).map(|_| {
+        let position = if random.chance(0.2) {
+            random.direction()
+        } else {
+            random.direction() * 6.0
+        };
+        let position = position.with_y(position.y.abs()).as_vec3();
+        PointLight::new(position, random.between(0.3, 0.8)).expect("a valid light")
+    });
+    let lights = lights.collect();
+    let eye = Vec3::new(
+        random.between(-2.0, 2.0),
+        random.between(-1.5, 3.0),
+        random.between(-7.0, -4.0),
+    );
+    let camera = Camera::new(eye, -eye, Vec3::Y, random.between(1.5, 3.0));
+    let scene = Scene::new(objects, lights, random.colour());
+    (
+        scene.expect("no surface twice"),
+        camera.expect("it looks ahead, not up"),
+    )
+}
+
 /// Returns an extreme scene and a camera: up to five spheres that overlap, touch and contain
 /// each other, and planes; mirrors and glass; all of it small or large, near or far from the
 /// origin, with the camera and the lights outside, inside and on the surfaces.

@@ -1,7 +1,7 @@
 //! The oracle's pictures against POV-Ray's.
 
-use harness::HERO;
-use harness::povray::{WATER, assert_radiance, assert_water};
+use harness::povray::{assert_radiance, assert_water};
+use harness::{HERO, SMALL};
 use oracle::{
     Glass, Limit, pixel_centres, still_life_camera, still_life_with_glass, trace, water,
     water_camera,
@@ -32,7 +32,7 @@ fn the_still_life_is_the_one_that_povray_renders() {
 #[test]
 fn glass_in_the_water_is_as_povray_renders_it() {
     let (camera, scene) = (water_camera(), water());
-    let size = WATER.to_array();
+    let size = SMALL.to_array();
     let limit = Limit {
         bounces: 100,
         min_throughput: 1e-6,
