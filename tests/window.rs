@@ -35,6 +35,12 @@ const TAB: u32 = 0xff09;
 const ESCAPE: u32 = 0xff1b;
 const UP: u32 = 0xff52;
 const DOWN: u32 = 0xff54;
+const F1: u32 = 0xffbe;
+const F12: u32 = 0xffc9;
+const KEYPAD_0: u32 = 0xffb0;
+
+/// As short as a tap or a click that a window must not miss.
+const TAP: Duration = Duration::from_millis(5);
 
 /// Calls `find` until it returns something; panics after 20 seconds.
 #[track_caller]
@@ -47,6 +53,16 @@ fn wait_for<T>(what: impl Debug, mut find: impl FnMut() -> Option<T>) -> T {
         sleep(Duration::from_millis(10));
     }
     panic!("waited in vain for {what:?}");
+}
+
+/// Says in one line that a test is skipped, for want of a tool; panics in CI.
+fn skip(tool: &str, package: &str) {
+    assert!(std::env::var_os("CI").is_none(), "CI needs {tool}");
+    // Not `eprintln!`, whose output a passing test hides.
+    let test = std::thread::current();
+    let test = test.name().unwrap_or_default();
+    let line = format!("skipped: {test} (no {tool}; Debian has it in `{package}`)");
+    writeln!(std::io::stderr(), "{line}").expect("stderr");
 }
 
 /// A process that is killed when it is dropped, so that none outlives its test.
@@ -80,14 +96,7 @@ impl Screen {
         let mut server = match server {
             Ok(server) => Process(server),
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                assert!(std::env::var_os("CI").is_none(), "CI needs Xvfb");
-                // Not `eprintln!`, whose output a passing test hides.
-                let test = std::thread::current();
-                let line = format!(
-                    "skipped: {} (no Xvfb; Debian has it as `xvfb`)",
-                    test.name().unwrap_or_default()
-                );
-                writeln!(std::io::stderr(), "{line}").expect("stderr");
+                skip("Xvfb", "xvfb");
                 return None;
             }
             Err(error) => panic!("Xvfb does not start: {error}"),
@@ -119,18 +128,58 @@ impl Screen {
         String::from_utf8(cookie.ok()?.reply().ok()?.value).ok()
     }
 
-    /// Presses or releases a key, as the keyboard would.
-    fn key(&self, symbol: u32, event: u8) {
+    /// Starts Xvfb with a keyboard of another layout. `None`, and a line that says so, if
+    /// there is no Xvfb or no setxkbmap.
+    fn with_layout(layout: &str) -> Option<Self> {
+        let screen = Self::new()?;
+        let mut setxkbmap = Command::new("setxkbmap");
+        setxkbmap.args(["-display", &screen.name, layout]);
+        match setxkbmap.status() {
+            Ok(status) => assert!(status.success(), "no layout {layout}"),
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                skip("setxkbmap", "x11-xkb-utils");
+                return None;
+            }
+            Err(error) => panic!("setxkbmap does not start: {error}"),
+        }
+        Some(screen)
+    }
+
+    /// Returns the code of the key that has a symbol where no other key must be held for it;
+    /// of the keypad's digits, whatever Num Lock says. `None` if the layout has no such key.
+    fn code(&self, symbol: u32) -> Option<u8> {
         let first = self.x.setup().min_keycode;
         let count = self.x.setup().max_keycode - first + 1;
         let cookie = self.x.get_keyboard_mapping(first, count).expect("sent");
         let mapping = cookie.reply().expect("the keyboard's mapping");
-        let mut codes =
-            (first..).zip(mapping.keysyms.chunks(mapping.keysyms_per_keycode.into()));
-        let (code, _) = codes
-            .find(|(_, symbols)| symbols[0] == symbol)
-            .expect("such a key");
+        let is_digit = (KEYPAD_0..KEYPAD_0 + 10).contains(&symbol);
+        let column = usize::from(is_digit);
+        let mut keys = mapping.keysyms.chunks(mapping.keysyms_per_keycode.into());
+        let key = keys.position(|symbols| symbols.get(column) == Some(&symbol))?;
+        Some(first + key as u8)
+    }
+
+    /// Presses or releases a key, as the keyboard would.
+    fn key(&self, symbol: u32, event: u8) {
+        let code = self.code(symbol).expect("such a key");
         self.fake(event, code, 0, 0);
+    }
+
+    /// Presses a key and releases it after a moment.
+    fn tap(&self, symbol: u32) {
+        let code = self.code(symbol).expect("such a key");
+        self.fake(KEY_PRESS, code, 0, 0);
+        sleep(TAP);
+        self.fake(KEY_RELEASE, code, 0, 0);
+    }
+
+    /// Gives the keyboard to a window as soon as it is on the screen.
+    fn focus(&self, window: xproto::Window) {
+        wait_for("the focus", || {
+            let (parent, now) = (InputFocus::PARENT, x11rb::CURRENT_TIME);
+            let focus = self.x.set_input_focus(parent, window, now);
+            focus.ok()?.check().ok()
+        });
     }
 
     /// Presses or releases a mouse button; the wheel is buttons 4 and 5.
@@ -186,13 +235,8 @@ impl<'a> Shown<'a> {
                     .is_some_and(|title| title.starts_with(stage.name))
             })
         });
-        // There is no window manager that would give it the keyboard. It must be on the screen first.
-        wait_for("the focus", || {
-            let x = &screen.x;
-            let focus =
-                x.set_input_focus(InputFocus::PARENT, window, x11rb::CURRENT_TIME);
-            focus.ok()?.check().ok()
-        });
+        // There is no window manager that would give it the keyboard.
+        screen.focus(window);
         Self {
             screen,
             stage,
@@ -217,11 +261,17 @@ impl<'a> Shown<'a> {
         wait_for(words, find)
     }
 
+    /// Presses a key, waits until the title has all of `words`, and returns it.
+    #[track_caller]
+    fn press_down(&self, symbol: u32, words: &[&str]) -> String {
+        self.screen.key(symbol, KEY_PRESS);
+        self.title_with(words)
+    }
+
     /// Holds a key until the title has all of `words`, and returns it.
     #[track_caller]
     fn press(&self, symbol: u32, words: &[&str]) -> String {
-        self.screen.key(symbol, KEY_PRESS);
-        let title = self.title_with(words);
+        let title = self.press_down(symbol, words);
         self.screen.key(symbol, KEY_RELEASE);
         title
     }
@@ -373,6 +423,59 @@ fn tab_digits_and_arrows_change_view_and_knob() {
 }
 
 #[test]
+fn no_tap_is_too_short() {
+    let Some(screen) = Screen::new() else { return };
+    let arguments = ["--view", "specular", "--size", "400x300"];
+    let shown = Shown::new(&screen, SHADING, &arguments);
+    shown.title_with(&["| specular | shininess 50 |"]);
+    // Far apart, close together, and all at once.
+    for (pause, down, up) in [(40, 30, 50), (1, 30, 50), (0, 30, 50)] {
+        for (key, setting) in [(DOWN, down), (UP, up)] {
+            let code = screen.code(key).expect("such a key");
+            for _ in 0..20 {
+                screen.fake(KEY_PRESS, code, 0, 0);
+                sleep(if pause == 0 { Duration::ZERO } else { TAP });
+                screen.fake(KEY_RELEASE, code, 0, 0);
+                sleep(Duration::from_millis(pause));
+            }
+            shown.title_with(&[&format!("| specular | shininess {setting} |")]);
+        }
+    }
+    screen.tap(ESCAPE);
+    assert_eq!(shown.ended(), Default::default());
+}
+
+/// Every key that `--help` names works, or another that it names for the same.
+#[test]
+fn keys_work_in_every_layout() {
+    for layout in ["us", "fr", "de", "cz", "ru"] {
+        let Some(screen) = Screen::with_layout(layout) else {
+            return;
+        };
+        let shown = Shown::new(&screen, SHADING, &SMALL_ARGUMENTS);
+        shown.title_with(&["| combined |"]);
+        for key in [TAB, F1 + 1, KEYPAD_0 + 2, '2'.into()] {
+            if screen.code(key).is_some() {
+                shown.press(key, &["| ambient |", DONE[0]]);
+                shown.press(F1, &["| combined |", DONE[0]]);
+            }
+        }
+        shown.press(F1 + 3, &["| specular | shininess 50 |"]);
+        screen.tap(UP);
+        shown.title_with(&["| specular | shininess 51 |"]);
+        screen.tap(DOWN);
+        shown.title_with(&["| specular | shininess 50 |", DONE[0]]);
+        for key in ['p'.into(), F12] {
+            if screen.code(key).is_some() {
+                shown.press(key, &["| saved "]);
+                shown.press(F1, &["| combined |", DONE[0]]);
+            }
+        }
+        shown.close_with_escape();
+    }
+}
+
+#[test]
 fn every_views_knob_keeps_its_own_setting() {
     let Some(screen) = Screen::new() else { return };
     #[rustfmt::skip]
@@ -404,6 +507,7 @@ fn p_saves_what_the_window_shows() {
     shown.press('p'.into(), &["| specular |", &path_shown]);
 
     let saved = image::open(&path).expect("a PNG");
+    assert!(programs::png_info(&path).srgb.is_some(), "no sRGB chunk");
     let expected = shown.rendered("specular", setting.parse().expect("a number"), SMALL);
     assert!(saved.as_bytes() == expected.levels.as_flattened());
     let printed = format!("{path_shown}\n");
@@ -507,6 +611,30 @@ fn it_ends_at_once_in_the_middle_of_a_picture() {
         assert_eq!(shown.ended_by(escape), Default::default());
         screen.key(ESCAPE, KEY_RELEASE);
     }
+}
+
+#[test]
+fn without_memory_for_a_window_it_says_so() {
+    let Some(screen) = Screen::new() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    // The canvas alone would take 4 GB.
+    for size in ["16384x16384", "16384x8192"] {
+        let output = Command::new("sh")
+            .args(["-c", "ulimit -v 2000000; exec \"$@\"", "sh"])
+            .arg(programs::path(SHADING.name))
+            .args(["--size", size])
+            .current_dir(folder.path())
+            .env("DISPLAY", &screen.name)
+            .output();
+        let output = output.expect("sh runs");
+        let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(1), "{stderr}");
+        assert_eq!(stderr.lines().count(), 1, "{stderr}");
+        assert!(stderr.contains(&format!("not enough memory for a window of {size}")));
+        assert_eq!(output.stdout, b"");
+    }
+    let mut files = fs::read_dir(folder.path()).expect("a folder");
+    assert!(files.next().is_none());
 }
 
 /// Returns the CPU time of a process or thread, in hundredths of a second, by its `stat` in

@@ -20,6 +20,12 @@ impl fmt::Display for Error {
     }
 }
 
+impl From<preview::Error> for Error {
+    fn from(error: preview::Error) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
+
 /// Runs a bench with the arguments after `--`, and returns the exit code: 0 for success, 2
 /// for arguments that make no sense, 1 for other errors.
 ///

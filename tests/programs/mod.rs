@@ -1,7 +1,9 @@
 //! The chapters' programs, for the tests that run them.
 
 use std::env::{self, consts::EXE_SUFFIX};
-use std::path::PathBuf;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
 
@@ -32,4 +34,11 @@ fn build() -> PathBuf {
         .status();
     assert!(status.expect("cargo runs").success(), "the programs build");
     folder.to_owned()
+}
+
+/// Returns what a PNG says before its pixels.
+pub fn png_info(path: &Path) -> png::Info<'static> {
+    let file = BufReader::new(File::open(path).expect("a file"));
+    let reader = png::Decoder::new(file).read_info().expect("a PNG");
+    reader.info().clone()
 }

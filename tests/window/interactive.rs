@@ -13,6 +13,14 @@ use shadow_acne::{from_surface, trace, untracked};
 type Towards = fn(glam::Vec3, &ray_casting::Camera) -> f32;
 
 const HOME: u32 = 0xff50;
+const LEFT: u32 = 0xff51;
+const RIGHT: u32 = 0xff53;
+const PAGE_UP: u32 = 0xff55;
+const PAGE_DOWN: u32 = 0xff56;
+const INSERT: u32 = 0xff63;
+const DELETE: u32 = 0xffff;
+const KEYPAD_PLUS: u32 = 0xffab;
+const KEYPAD_MINUS: u32 = 0xffad;
 
 /// The title when a picture of 4 × 4 samples is done.
 const REFINED: [&str; 1] = ["16 of 16 samples"];
@@ -60,6 +68,7 @@ impl Shown<'_> {
             .expect("a shot");
         let file = BufReader::new(fs::File::open(&path).expect("a file"));
         let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
+        assert!(reader.info().srgb.is_some(), "no sRGB chunk");
         let texts = &reader.info().uncompressed_latin1_text;
         let command = texts.iter().find(|text| text.keyword == "Command");
         let pose = pose_in(&command.expect("the command").text);
@@ -88,7 +97,7 @@ impl Shown<'_> {
         self.screen.point(x, y);
         sleep(Duration::from_millis(60));
         self.screen.button(1, BUTTON_PRESS);
-        sleep(Duration::from_millis(60));
+        sleep(TAP);
         self.screen.button(1, BUTTON_RELEASE);
     }
 }
@@ -224,6 +233,145 @@ fn the_mouse_turns_and_its_wheel_zooms() {
     // A drag is no click, and the wheel neither: nothing has been explained.
     let (stdout, _) = shown.close_with_escape();
     assert_eq!(stdout.lines().count(), 12, "{stdout}");
+}
+
+#[test]
+fn no_tap_and_no_click_is_too_short() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let pause = Duration::from_millis(60);
+    for _ in 0..20 {
+        screen.tap('w'.into());
+        sleep(pause);
+    }
+    let (pose, _) = shown.saved(1);
+    let way = pose.camera().eye.distance(CameraPose::START.camera().eye);
+    // 2.5 a second, for at least a sixtieth each time.
+    assert!(way > 20.0 * 2.5 / 63.0, "{way}");
+
+    for i in 0..20 {
+        shown.click(100 + 10 * i, 150);
+        sleep(pause);
+    }
+    // Four notches of the wheel at once.
+    for _ in 0..4 {
+        screen.button(4, BUTTON_PRESS);
+        screen.button(4, BUTTON_RELEASE);
+    }
+    sleep(Duration::from_millis(200));
+    let (pose, _) = shown.saved(2);
+    let zoom = pose.camera().focal_length / CameraPose::START.camera().focal_length;
+    assert!((zoom / 1.1_f32.powi(4) - 1.0).abs() < 1e-5, "{zoom}");
+
+    shown.press('6'.into(), &["| reflection | depth 64 bounces |"]);
+    for _ in 0..20 {
+        screen.tap(DOWN);
+    }
+    shown.title_with(&["| reflection | depth 44 bounces |"]);
+    screen.tap(ESCAPE);
+    let (stdout, _) = shown.ended();
+    for i in 0..20 {
+        let position = format!("{},150 of 400x300", 100 + 10 * i);
+        assert!(stdout.contains(&position), "no click at {position}");
+    }
+}
+
+#[test]
+fn a_key_that_is_let_go_in_another_window_is_let_go() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = open(&screen);
+    shown.title_with(&REFINED);
+    let other = screen.x.generate_id().expect("an id");
+    let aux = xproto::CreateWindowAux::new();
+    let class = xproto::WindowClass::INPUT_OUTPUT;
+    let created = (screen.x)
+        .create_window(0, other, screen.root, 600, 600, 50, 50, 0, class, 0, &aux);
+    created.expect("sent").check().expect("a window");
+    screen.x.map_window(other).expect("sent");
+
+    shown.press_down('w'.into(), &["0 of 16 samples"]);
+    screen.focus(other);
+    // It stops at once, not only when the window has the focus again.
+    shown.title_with(&REFINED);
+    screen.key('w'.into(), KEY_RELEASE);
+    screen.focus(shown.window);
+    let (first, _) = shown.saved(1);
+    assert_ne!(first, CameraPose::START);
+    sleep(Duration::from_millis(200));
+    let (second, _) = shown.saved(2);
+    assert_eq!(second, first);
+    // And the key works again.
+    shown.press('w'.into(), &["0 of 16 samples"]);
+    assert_ne!(shown.saved(3).0, first);
+    shown.close_with_escape();
+}
+
+/// Every key that the page names moves the camera in its direction, or another does that it
+/// names for the same.
+#[test]
+fn keys_move_in_every_layout() {
+    let moves: [(char, u32, Towards); 6] = [
+        ('w', PAGE_UP, |by, camera| by.dot(camera.forward)),
+        ('s', PAGE_DOWN, |by, camera| -by.dot(camera.forward)),
+        ('a', LEFT, |by, camera| -by.dot(camera.right)),
+        ('d', RIGHT, |by, camera| by.dot(camera.right)),
+        ('r', INSERT, |by, _| by.y),
+        ('f', DELETE, |by, _| -by.y),
+    ];
+    let zooms = [
+        ('+', KEYPAD_PLUS, 1.1_f32),
+        ('=', KEYPAD_PLUS, 1.1),
+        ('-', KEYPAD_MINUS, 1.0 / 1.1),
+    ];
+    for layout in ["us", "fr", "de", "cz", "ru"] {
+        let Some(screen) = Screen::with_layout(layout) else {
+            return;
+        };
+        let shown = Shown::new(&screen, &STAGE, &["--size", "80x60"]);
+        shown.title_with(&REFINED);
+        let mut before = CameraPose::START.camera();
+        let mut number = 0;
+        let mut saved = || {
+            number += 1;
+            let name = format!("shot-{number}.png");
+            shown.press(F12, &["saved ", &name]);
+            let path = shown.folder.path();
+            let path = path.join(format!("{}--still-life--{name}", STAGE.name));
+            pose_in(&programs::png_info(&path).uncompressed_latin1_text[0].text).camera()
+        };
+        for (letter, twin, ahead) in moves {
+            for key in [letter.into(), twin] {
+                if screen.code(key).is_none() {
+                    assert_ne!(key, twin, "{layout} has no twin of {letter}");
+                    continue;
+                }
+                screen.key(key, KEY_PRESS);
+                sleep(Duration::from_millis(50));
+                screen.key(key, KEY_RELEASE);
+                let after = saved();
+                let way = ahead(after.eye - before.eye, &before);
+                assert!(way > 0.0, "{layout}: {key:x} for {letter} leads {way}");
+                before = after;
+            }
+        }
+        for (character, twin, factor) in zooms {
+            for key in [character.into(), twin] {
+                if screen.code(key).is_some() {
+                    screen.tap(key);
+                    sleep(Duration::from_millis(50));
+                    let after = saved();
+                    let zoom = after.focal_length / before.focal_length;
+                    assert!((zoom / factor - 1.0).abs() < 1e-5, "{layout}: {key:x}");
+                    before = after;
+                }
+            }
+        }
+        shown.press(F1, &["| ray-casting |"]);
+        shown.press(KEYPAD_0 + 3, &["| plane-hit |"]);
+        shown.press(' '.into(), &["frozen"]);
+        shown.close_with_escape();
+    }
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Rows, rendered one by one: into a canvas, or in the background, for a window to show.
+//! Rows, rendered one by one: into a canvas, in the background, for a window to show, or for
+//! a file that is larger than the memory.
 
 use crate::{Canvas, Picture, Pixel, encode, rays_so_far};
 use glam::{UVec2, Vec3};
@@ -80,3 +81,34 @@ pub fn spawn_render(picture: Picture, size: UVec2) -> Receiver<Row> {
     rows
 }
 // ANCHOR_END: background
+
+/// The number of rows that [`Picture::render_rows`] keeps in memory.
+const BAND: u32 = 64;
+
+impl Picture {
+    /// Renders the picture on all cores, and gives `write` the levels of a few whole rows at a
+    /// time, in order from the top. No more of the picture is ever in memory.
+    ///
+    /// # Errors
+    /// Those of `write`; nothing more is then rendered.
+    pub fn render_rows<E>(
+        &self,
+        size: UVec2,
+        mut write: impl FnMut(&[[u8; 3]]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let width = size.x as usize;
+        let mut band = vec![[0; 3]; width * BAND.min(size.y) as usize];
+        for top in (0..size.y).step_by(BAND as usize) {
+            let rows = BAND.min(size.y - top) as usize;
+            let levels = &mut band[..rows * width];
+            levels.par_chunks_mut(width).zip(top..top + rows as u32).for_each_init(
+                || vec![Vec3::ZERO; width],
+                |radiance, (levels, y)| {
+                    render_row(self, Pixel { x: 0, y, size }, radiance, levels);
+                },
+            );
+            write(levels)?;
+        }
+        Ok(())
+    }
+}

@@ -1,7 +1,7 @@
 //! The walk's command line: the arguments of every chapter, and some of its own.
 
 use crate::{shot, window};
-use canvas::{Canvas, Pixel};
+use canvas::Pixel;
 use clap::Arg;
 use glam::UVec2;
 use interactive::explain::explanation;
@@ -11,9 +11,10 @@ use preview::{Error, RenderArgs, check_destination, print_line, show_or_save};
 use std::path::Path;
 use std::time::Duration;
 
-const KEYS: &str = "In the window: W A S D move, R F rise and sink, Home leads back, the mouse turns (drag), its wheel \
-                    and + - change the focal length, 1-9 and Tab change the view, Up and Down turn the knob, a click \
-                    explains a pixel, Space freezes, P saves a PNG, Esc closes.";
+const KEYS: &str = "In the window: W A S D move, R F rise and sink (or: Page Up and Down, Left and Right, Insert and \
+                    Delete), Home leads back, the mouse turns (drag), its wheel and + - change the focal length, \
+                    1-9 (or F1-F9) and Tab change the view, Up and Down turn the knob, a click explains a pixel, \
+                    Space freezes, P (or F12) saves a PNG, Esc closes.";
 
 /// Parses the program's arguments, and runs the walk or renders what they request.
 ///
@@ -79,16 +80,15 @@ fn trace(request: &RenderRequest, UVec2 { x, y }: UVec2) -> Result<(), Error> {
     }
     let scene = (request.view.scene)(request.setting);
     let pixel = Pixel { x, y, size };
-    print_line(explanation(&scene, &request.pose.camera(), pixel));
-    Ok(())
+    print_line(explanation(&scene, &request.pose.camera(), pixel))
 }
 
 fn save(request: &RenderRequest, path: &Path) -> Result<(), Error> {
     check_destination(path)?;
     let picture = (request.view.picture)(request.pose.camera(), request.setting);
-    shot::save(request, &Canvas::render(&picture, request.size), path)?;
-    print_line(path.display());
-    Ok(())
+    let size = request.size;
+    shot::save(request, path, |write| picture.render_rows(size, write))?;
+    print_line(path.display())
 }
 
 fn parse_position(text: &str) -> Result<UVec2, Error> {

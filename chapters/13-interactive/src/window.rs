@@ -7,18 +7,35 @@ use interactive::explain::{budget, explain, explanation};
 use interactive::overlay::Overlay;
 use interactive::views::WalkView;
 use interactive::{CameraPose, Frame, RenderRequest, RenderThread, STAGE};
-use minifb::{Key, KeyRepeat, MouseButton, MouseMode, ScaleMode, Window, WindowOptions};
-use preview::{digit, print_error, print_line, size_on_screen};
+use minifb::{Key, MouseButton, MouseMode, ScaleMode, Window, WindowOptions};
+use preview::{
+    Error, KeyEvent, Keyboard, check_memory, digit, print_error, print_line,
+    size_on_screen,
+};
 use std::time::{Duration, Instant};
 
-/// The most times per second that keys and mouse are read and the window is redrawn.
-const TARGET_FPS: usize = 60;
+/// How many times per second the mouse is looked at. minifb only knows whether its button is
+/// down, so a click is lost that is shorter than the time between two looks.
+const LOOKS_PER_SECOND: usize = 500;
+
+/// How often the camera moves and the window is redrawn, at most.
+const FRAME_INTERVAL: Duration = Duration::from_millis(16);
 
 /// The speed of a walk, in units of the scene per second.
 const SPEED: f32 = 2.5;
 
-/// The factor by which the wheel, or + and −, change the focal length.
+/// The factor by which a notch of the wheel, or + and −, change the focal length.
 const ZOOM: f32 = 1.1;
+
+/// What minifb reports for a notch of the wheel. X11's is a button, and minifb counts both
+/// its press and its release.
+const NOTCH: f32 = if cfg!(windows) {
+    12.0
+} else if cfg!(target_os = "macos") {
+    1.0
+} else {
+    2.0
+};
 
 /// A press of the button is a click, and no drag, while the pointer stays this close, in pixels.
 const CLICK_RADIUS: f32 = 3.0;
@@ -31,35 +48,56 @@ const REDRAW_INTERVAL: Duration = Duration::from_millis(500);
 /// picture is shown again in every frame.
 const MAP_GRACE: Duration = Duration::from_secs(2);
 
+/// The bytes that a pixel needs: 15 on each of the three canvases between render thread and
+/// window, 12 for the sum of its samples, and 11 on the way to the screen.
+const BYTES_PER_PIXEL: u64 = 68;
+
 /// Opens a window to walk in, and returns when it is closed.
 ///
 /// # Errors
-/// If no window can be opened.
-pub fn open(request: RenderRequest, target: Duration) -> minifb::Result<()> {
+/// If no window can be opened, if memory is short, or if a line cannot be printed.
+pub fn open(request: RenderRequest, target: Duration) -> Result<(), Error> {
     let options = WindowOptions {
         resize: true,
         scale_mode: ScaleMode::UpperLeft,
         ..WindowOptions::default()
     };
     let size = size_on_screen(request.size);
-    let mut window = Window::new(STAGE.name, size.x as usize, size.y as usize, options)?;
-    window.set_target_fps(TARGET_FPS);
+    let mut window = Window::new(STAGE.name, size.x as usize, size.y as usize, options)
+        .map_err(Error::NoWindow)?;
+    window.set_target_fps(LOOKS_PER_SECOND);
+    let mut keyboard = Keyboard::new(&mut window);
 
+    check_memory(size, BYTES_PER_PIXEL)?;
     let mut walk = Walk::new(RenderRequest { size, ..request }, target);
     let opened = Instant::now();
-    let (mut looked, mut shown) = (opened, opened);
-    while window.is_open() && !window.is_key_down(Key::Escape) {
-        let passed = looked.elapsed();
-        looked = Instant::now();
-        walk.handle_input(&window, passed);
-        walk.receive_frame();
+    let (mut stepped, mut shown) = (opened, opened);
+    while window.is_open() {
+        for event in keyboard.events(&window) {
+            if event == KeyEvent::Pressed(Key::Escape) {
+                return Ok(());
+            }
+            walk.handle_key(event)?;
+        }
+        walk.handle_mouse(&window)?;
+        let passed = stepped.elapsed();
+        if passed < FRAME_INTERVAL {
+            window.update();
+            continue;
+        }
+        stepped = Instant::now();
+        walk.step(&keyboard, &window, passed);
+        keyboard.end_frame();
+        walk.receive_frame()?;
         if let Some(title) = walk.new_title.take() {
             window.set_title(&title);
         }
         let is_due = shown.elapsed() > REDRAW_INTERVAL || opened.elapsed() < MAP_GRACE;
         if walk.is_new || is_due {
             let size = walk.screen_size;
-            window.update_with_buffer(&walk.screen, size.x as usize, size.y as usize)?;
+            window
+                .update_with_buffer(&walk.screen, size.x as usize, size.y as usize)
+                .map_err(Error::Window)?;
             (walk.is_new, shown) = (false, Instant::now());
         } else {
             window.update();
@@ -82,6 +120,8 @@ struct Walk {
     /// The setting of every view's knob.
     settings: Vec<f32>,
     press: Option<Press>,
+    /// What the wheel has turned and has not yet had its effect: less than a notch.
+    scroll: f32,
     is_frozen: bool,
     save_when_exact: bool,
     /// The pixel that is explained, and the pose of the camera then.
@@ -102,6 +142,7 @@ impl Walk {
             request,
             settings: views.map(View::default_setting).collect(),
             press: None,
+            scroll: 0.0,
             is_frozen: false,
             save_when_exact: false,
             explained: None,
@@ -129,55 +170,79 @@ impl Walk {
         self.show_frame();
     }
 
-    /// Handles keys, mouse and the window's size; `passed` is the time since the last call.
-    fn handle_input(&mut self, window: &Window, passed: Duration) {
-        for key in window.get_keys_pressed(KeyRepeat::No) {
-            match key {
-                Key::Space => {
-                    self.is_frozen = !self.is_frozen;
-                    self.update_title(None);
-                }
-                Key::P => {
-                    self.save_when_exact = true;
-                    self.update_title(None);
-                    self.save_if_exact();
-                }
-                _ if self.is_frozen => {}
-                Key::Home => self.request.pose = CameraPose::START,
-                Key::Tab => self.show((self.index() + 1) % WalkView::ALL.len()),
-                key => {
-                    if let Some(index) = digit(key) {
-                        self.show(index);
-                    }
+    fn handle_key(&mut self, event: KeyEvent) -> Result<(), Error> {
+        match event {
+            KeyEvent::Pressed(Key::Space) => {
+                self.is_frozen = !self.is_frozen;
+                self.update_title(None);
+            }
+            KeyEvent::Pressed(Key::P | Key::F12) => {
+                self.save_when_exact = true;
+                self.update_title(None);
+                self.save_if_exact()?;
+            }
+            _ if self.is_frozen => {}
+            KeyEvent::Pressed(Key::Home) => self.request.pose = CameraPose::START,
+            KeyEvent::Pressed(Key::Tab) => {
+                self.show((self.index() + 1) % WalkView::ALL.len());
+            }
+            KeyEvent::Pressed(key @ (Key::Up | Key::Down))
+            | KeyEvent::Repeated(key @ (Key::Up | Key::Down)) => {
+                let request = &mut self.request;
+                if let Some(knob) = &request.view.view.knob {
+                    request.setting = knob.stepped(request.setting, key == Key::Up);
                 }
             }
+            // As characters: on a German keyboard + has a key of its own, on an English one
+            // it is Shift and =.
+            KeyEvent::Typed('+' | '=') => self.zoom(ZOOM),
+            KeyEvent::Typed('-') => self.zoom(1.0 / ZOOM),
+            KeyEvent::Pressed(key) => {
+                if let Some(index) = digit(key) {
+                    self.show(index);
+                }
+            }
+            KeyEvent::Repeated(_) | KeyEvent::Typed(_) => {}
         }
-        self.click_or_drag(window);
+        Ok(())
+    }
+
+    fn zoom(&mut self, factor: f32) {
+        self.request.pose = self.request.pose.zoomed(factor);
+    }
+
+    fn handle_mouse(&mut self, window: &Window) -> Result<(), Error> {
+        if let Some((_, up)) = window.get_scroll_wheel()
+            && !self.is_frozen
+        {
+            self.scroll += up / NOTCH;
+            while self.scroll >= 1.0 {
+                self.zoom(ZOOM);
+                self.scroll -= 1.0;
+            }
+            while self.scroll <= -1.0 {
+                self.zoom(1.0 / ZOOM);
+                self.scroll += 1.0;
+            }
+        }
+        self.click_or_drag(window)
+    }
+
+    /// Moves the camera by the keys that are held, and requests a picture of the window's
+    /// size; `passed` is the time since the last call.
+    fn step(&mut self, keyboard: &Keyboard, window: &Window, passed: Duration) {
         if self.is_frozen {
             return;
         }
-
         let request = &mut self.request;
-        let mut zoom = window.get_scroll_wheel().map_or(0.0, |(_, up)| up);
-        for key in window.get_keys_pressed(KeyRepeat::Yes) {
-            match key {
-                Key::Up | Key::Down => {
-                    if let Some(knob) = &request.view.view.knob {
-                        request.setting = knob.stepped(request.setting, key == Key::Up);
-                    }
-                }
-                Key::Equal | Key::NumPadPlus => zoom = 1.0,
-                Key::Minus | Key::NumPadMinus => zoom = -1.0,
-                _ => {}
-            }
-        }
-        if zoom != 0.0 {
-            let factor = if zoom > 0.0 { ZOOM } else { 1.0 / ZOOM };
-            request.pose = request.pose.zoomed(factor);
-        }
-        let keys = [(Key::D, Key::A), (Key::R, Key::F), (Key::W, Key::S)];
+        // Beside the letters, keys that every layout has.
+        let keys = [
+            ([Key::D, Key::Right], [Key::A, Key::Left]),
+            ([Key::R, Key::Insert], [Key::F, Key::Delete]),
+            ([Key::W, Key::PageUp], [Key::S, Key::PageDown]),
+        ];
         let steps = Vec3::from_array(keys.map(|(more, less)| {
-            f32::from(window.is_key_down(more)) - f32::from(window.is_key_down(less))
+            f32::from(keyboard.is_down(&more)) - f32::from(keyboard.is_down(&less))
         }));
         if steps != Vec3::ZERO {
             // After a pause, such as one while the window is moved, the camera must not
@@ -196,10 +261,10 @@ impl Walk {
 
     /// A click explains a pixel; a drag turns the camera, so that what is under the pointer
     /// stays about there.
-    fn click_or_drag(&mut self, window: &Window) {
+    fn click_or_drag(&mut self, window: &Window) -> Result<(), Error> {
         let is_down = window.get_mouse_down(MouseButton::Left);
         let Some(at) = window.get_mouse_pos(MouseMode::Pass).map(Vec2::from) else {
-            return;
+            return Ok(());
         };
         let Some(press) = &mut self.press else {
             self.press = is_down.then_some(Press {
@@ -207,7 +272,7 @@ impl Walk {
                 last: at,
                 is_drag: false,
             });
-            return;
+            return Ok(());
         };
         if is_down {
             press.is_drag |= at.distance(press.start) > CLICK_RADIUS;
@@ -221,37 +286,39 @@ impl Walk {
             let clicked = (!press.is_drag).then_some(press.start);
             self.press = None;
             if let Some(at) = clicked {
-                self.explain(at);
+                return self.explain(at);
             }
         }
+        Ok(())
     }
 
     /// Explains the pixel of the shown frame at a point of the window.
-    fn explain(&mut self, at: Vec2) {
+    fn explain(&mut self, at: Vec2) -> Result<(), Error> {
         let Some(Frame { request, .. }) = &self.frame else {
-            return;
+            return Ok(());
         };
         let size = request.size;
         if at.cmpge(Vec2::ZERO).all() && at.cmplt(size.as_vec2()).all() {
             let (x, y) = (at.x as u32, at.y as u32);
             let pixel = Pixel { x, y, size };
             let scene = (request.view.scene)(request.setting);
-            print_line(explanation(&scene, &request.pose.camera(), pixel));
+            print_line(explanation(&scene, &request.pose.camera(), pixel))?;
             self.explained = Some((request.pose, pixel));
             self.show_frame();
         }
+        Ok(())
     }
 
-    fn receive_frame(&mut self) {
+    fn receive_frame(&mut self) -> Result<(), Error> {
         if self.is_frozen {
-            return;
+            return Ok(());
         }
         if let Some(frame) = self.render_thread.take_frame() {
             self.frame = Some(frame);
             self.show_frame();
             self.update_title(None);
-            self.save_if_exact();
         }
+        self.save_if_exact()
     }
 
     /// Copies the frame to the screen, and draws the path of the explained ray over it.
@@ -271,17 +338,24 @@ impl Walk {
         self.is_new = true;
     }
 
-    fn save_if_exact(&mut self) {
-        let Some(frame) = &self.frame else { return };
-        if !self.save_when_exact || !frame.is_exact() {
-            return;
+    fn save_if_exact(&mut self) -> Result<(), Error> {
+        let Some(frame) = &self.frame else {
+            return Ok(());
+        };
+        // A step or another view may just have been requested, of which no frame has come.
+        let is_latest = self.is_frozen || frame.request == self.request;
+        if !self.save_when_exact || !frame.is_exact() || !is_latest {
+            return Ok(());
         }
         self.save_when_exact = false;
-        let path = shot::free_path(&frame.request);
-        let news = match shot::save(&frame.request, &frame.canvas, &path) {
+        let Frame {
+            request, canvas, ..
+        } = frame;
+        let path = shot::free_path(request);
+        let news = match shot::save(request, &path, |write| write(&canvas.levels)) {
             Ok(()) => {
-                let command = shot::command(&frame.request, &path);
-                print_line(format!("{}\n{command}", path.display()));
+                let command = shot::command(request, &path);
+                print_line(format!("{}\n{command}", path.display()))?;
                 format!("saved {}", path.display())
             }
             Err(error) => {
@@ -290,6 +364,7 @@ impl Walk {
             }
         };
         self.update_title(Some(&news));
+        Ok(())
     }
 
     /// Puts the view, its cost and any `news` into the title.

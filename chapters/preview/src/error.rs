@@ -1,6 +1,7 @@
 //! The errors of a chapter's program.
 
 use crate::terminal::print_error;
+use glam::UVec2;
 use std::fmt::{self, Display};
 use std::io;
 use std::path::PathBuf;
@@ -33,6 +34,14 @@ pub enum Error {
         /// The reason.
         source: io::Error,
     },
+    /// A line could not be printed.
+    Print(io::Error),
+    /// No window can be opened.
+    NoWindow(minifb::Error),
+    /// The window cannot show its picture any more.
+    Window(minifb::Error),
+    /// There is not enough memory for a window of this size in pixels.
+    Memory(UVec2),
 }
 
 impl Error {
@@ -71,6 +80,13 @@ impl Display for Error {
             Self::Write { path, source } => {
                 write!(f, "cannot save {}: {source}", path.display())
             }
+            Self::Print(source) => write!(f, "cannot print: {source}"),
+            Self::NoWindow(source) => write!(f, "no window: {source}"),
+            Self::Window(source) => write!(f, "the window: {source}"),
+            Self::Memory(UVec2 { x, y }) => write!(
+                f,
+                "not enough memory for a window of {x}x{y} pixels; save a PNG by --png, which needs less"
+            ),
         }
     }
 }

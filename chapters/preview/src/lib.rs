@@ -3,6 +3,8 @@
 mod command_line;
 mod error;
 mod file;
+mod keyboard;
+mod memory;
 mod run;
 pub mod show;
 mod terminal;
@@ -10,7 +12,8 @@ mod window;
 
 pub use command_line::{RenderArgs, command};
 pub use error::{Error, exit_code};
-pub use file::{check_destination, save, save_with_text, write_file};
+pub use file::{check_destination, save_png, write_file};
+pub use keyboard::{KeyEvent, Keyboard, digit};
 pub use run::{matches, run, show_or_save};
 pub use terminal::{print_error, print_line};
-pub use window::{digit, size_on_screen};
+pub use window::{check_memory, size_on_screen};

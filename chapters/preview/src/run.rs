@@ -2,10 +2,10 @@
 
 use crate::command_line::{RenderArgs, command};
 use crate::error::{Error, exit_code};
-use crate::file::{check_destination, save};
-use crate::terminal::print_line;
+use crate::file::{check_destination, save_png};
+use crate::terminal::{print_line, printed};
 use crate::window;
-use canvas::{Canvas, Stage, View};
+use canvas::{Stage, View};
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Command};
 use glam::UVec2;
@@ -41,17 +41,17 @@ fn run_arguments(stage: &'static Stage) -> Result<(), Error> {
 /// printed or saved.
 ///
 /// # Errors
-/// If the arguments are invalid, or a picture cannot be saved.
+/// If the arguments are invalid, a picture cannot be saved, or a line cannot be printed.
 pub fn matches(stage: &Stage, command: Command) -> Result<Option<ArgMatches>, Error> {
     let matches = match command.try_get_matches() {
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
-            let _ = error.print();
+            printed(error.print())?;
             return Ok(None);
         }
         result => result?,
     };
     if matches.get_flag("list") {
-        print_views(stage);
+        print_views(stage)?;
     } else if let Some(folder) = matches.get_one::<PathBuf>("all") {
         let size = matches.get_one("size").copied().expect("a default");
         save_all(stage, size, folder)?;
@@ -67,42 +67,45 @@ pub fn matches(stage: &Stage, command: Command) -> Result<Option<ArgMatches>, Er
 /// folder: a machine without a display still gets it.
 ///
 /// # Errors
-/// Those of `save`.
+/// Those of `save`, and those of `open` but for [`Error::NoWindow`].
 pub fn show_or_save(
     stage: &Stage,
     args: &RenderArgs,
-    open: impl FnOnce() -> minifb::Result<()>,
+    open: impl FnOnce() -> Result<(), Error>,
     save: impl FnOnce(&Path) -> Result<(), Error>,
 ) -> Result<(), Error> {
     if let Some(path) = &args.png {
         return save(path);
     }
-    open().or_else(|reason| {
-        print_line(format!("no window ({reason}): saving the picture instead"));
-        save(&picture_path(stage, args.view, args.setting))
-    })
+    let result = open();
+    let Err(Error::NoWindow(reason)) = result else {
+        return result;
+    };
+    print_line(format!("no window ({reason}): saving the picture instead"))?;
+    save(&picture_path(stage, args.view, args.setting))
 }
 
 fn picture_path(stage: &Stage, view: &View, setting: f32) -> PathBuf {
     format!("{}.png", stage.picture_name(view, setting)).into()
 }
 
-fn print_views(stage: &Stage) {
-    print_line(format!("{}: {}", stage.name, stage.title));
+fn print_views(stage: &Stage) -> Result<(), Error> {
+    print_line(format!("{}: {}", stage.name, stage.title))?;
     for view in stage.views {
-        print_line(format!("\n{}\n    {}", view.name, view.caption));
+        print_line(format!("\n{}\n    {}", view.name, view.caption))?;
         if let Some(knob) = &view.knob {
             let (name, range, default) = (knob.name, knob.range(), knob.default);
-            print_line(format!("    knob: {name}, {range} (default {default})"));
+            print_line(format!("    knob: {name}, {range} (default {default})"))?;
         }
     }
+    Ok(())
 }
 
 fn save_view(view: &View, setting: f32, size: UVec2, path: &Path) -> Result<(), Error> {
     check_destination(path)?;
-    save(&Canvas::render(&(view.picture)(setting), size), path)?;
-    print_line(path.display());
-    Ok(())
+    let picture = (view.picture)(setting);
+    save_png(path, size, &[], |write| picture.render_rows(size, write))?;
+    print_line(path.display())
 }
 
 fn save_all(stage: &Stage, size: UVec2, folder: &Path) -> Result<(), Error> {

@@ -1,11 +1,14 @@
 //! The window that every chapter has.
 
 use crate::command_line::RenderArgs;
-use crate::file::save;
+use crate::error::Error;
+use crate::file::save_png;
+use crate::keyboard::{KeyEvent, Keyboard, digit};
+use crate::memory::has_room;
 use crate::terminal::{print_error, print_line};
 use canvas::{Canvas, Row, Stage, View, spawn_render};
 use glam::UVec2;
-use minifb::{Key, KeyRepeat, ScaleMode, Window, WindowOptions};
+use minifb::{Key, ScaleMode, Window, WindowOptions};
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError};
@@ -18,43 +21,59 @@ const TARGET_FPS: usize = 30;
 /// resized.
 const MAX_WINDOW_SIZE: UVec2 = UVec2::new(1280, 960);
 
+/// The bytes that a pixel needs: 15 on the canvas, 4 on the screen.
+const BYTES_PER_PIXEL: u64 = 19;
+
 /// Opens a window that shows a view of `stage`, and returns when it is closed.
 ///
 /// # Errors
-/// If no window can be opened, for example without a display.
-pub fn open(stage: &'static Stage, args: &RenderArgs) -> minifb::Result<()> {
+/// If no window can be opened, for example without a display, if memory is short, or if a
+/// line cannot be printed.
+pub fn open(stage: &'static Stage, args: &RenderArgs) -> Result<(), Error> {
     let options = WindowOptions {
         resize: true,
         scale_mode: ScaleMode::AspectRatioStretch,
         ..WindowOptions::default()
     };
     let UVec2 { x, y } = size_on_screen(args.size);
-    let mut window = Window::new(stage.name, x as usize, y as usize, options)?;
+    let mut window = Window::new(stage.name, x as usize, y as usize, options)
+        .map_err(Error::NoWindow)?;
     window.set_target_fps(TARGET_FPS);
+    let mut keyboard = Keyboard::new(&mut window);
 
+    check_memory(args.size, BYTES_PER_PIXEL)?;
     let mut preview = Preview::new(stage, args);
-    while window.is_open() && !window.is_key_down(Key::Escape) {
-        for key in window.get_keys_pressed(KeyRepeat::No) {
-            match key {
-                Key::P => preview.save_when_done = true,
-                Key::Tab => preview.show(preview.next_view()),
-                key => preview.show(digit(key).and_then(|i| stage.views.get(i))),
+    while window.is_open() {
+        for event in keyboard.events(&window) {
+            match event {
+                KeyEvent::Pressed(Key::Escape) => return Ok(()),
+                KeyEvent::Pressed(Key::P | Key::F12) => {
+                    preview.save_when_done = true;
+                    // At once, before a key that follows shows another view.
+                    preview.save_if_done()?;
+                }
+                KeyEvent::Pressed(Key::Tab) => preview.show(preview.next_view()),
+                KeyEvent::Pressed(Key::Up) | KeyEvent::Repeated(Key::Up) => {
+                    preview.step_knob(true);
+                }
+                KeyEvent::Pressed(Key::Down) | KeyEvent::Repeated(Key::Down) => {
+                    preview.step_knob(false);
+                }
+                KeyEvent::Pressed(key) => {
+                    preview.show(digit(key).and_then(|i| stage.views.get(i)));
+                }
+                KeyEvent::Repeated(_) | KeyEvent::Typed(_) => {}
             }
         }
-        for key in window.get_keys_pressed(KeyRepeat::Yes) {
-            match key {
-                Key::Up => preview.step_knob(true),
-                Key::Down => preview.step_knob(false),
-                _ => {}
-            }
-        }
-        preview.receive_rows();
+        preview.receive_rows()?;
         if let Some(title) = preview.new_title.take() {
             window.set_title(&title);
         }
         // With a buffer, every frame: after a resize, `update` alone leaves the window black.
         let UVec2 { x, y } = args.size;
-        window.update_with_buffer(&preview.screen, x as usize, y as usize)?;
+        window
+            .update_with_buffer(&preview.screen, x as usize, y as usize)
+            .map_err(Error::Window)?;
     }
     Ok(())
 }
@@ -70,21 +89,17 @@ pub fn size_on_screen(size: UVec2) -> UVec2 {
     }
 }
 
-/// Returns 0 for the key 1, up to 8 for the key 9; `None` for any other key.
-#[must_use]
-pub fn digit(key: Key) -> Option<usize> {
-    const DIGITS: [Key; 9] = [
-        Key::Key1,
-        Key::Key2,
-        Key::Key3,
-        Key::Key4,
-        Key::Key5,
-        Key::Key6,
-        Key::Key7,
-        Key::Key8,
-        Key::Key9,
-    ];
-    DIGITS.iter().position(|&digit| digit == key)
+/// Checks that there is memory for a window of `size` pixels, of which each needs `bytes`.
+///
+/// # Errors
+/// [`Error::Memory`] if there is not.
+pub fn check_memory(size: UVec2, bytes: u64) -> Result<(), Error> {
+    let pixels = u64::from(size.x) * u64::from(size.y);
+    if has_room(pixels, bytes) {
+        Ok(())
+    } else {
+        Err(Error::Memory(size))
+    }
 }
 
 /// The state of the window.
@@ -157,7 +172,7 @@ impl Preview {
         self.set_title("rendering");
     }
 
-    fn receive_rows(&mut self) {
+    fn receive_rows(&mut self) -> Result<(), Error> {
         while let Some(rows) = &self.rows {
             match rows.try_recv() {
                 Ok(row) => {
@@ -176,19 +191,21 @@ impl Preview {
                 }
             }
         }
-        if self.rows.is_none() && self.save_when_done {
-            self.save();
-        }
+        self.save_if_done()
     }
 
-    fn save(&mut self) {
+    fn save_if_done(&mut self) -> Result<(), Error> {
+        if self.rows.is_some() || !self.save_when_done {
+            return Ok(());
+        }
         self.save_when_done = false;
         let name = self.stage.picture_name(self.view, self.setting());
         let path = PathBuf::from(format!("{name}.png"));
         let path = std::path::absolute(&path).unwrap_or(path);
-        match save(&self.canvas, &path) {
+        let Canvas { size, levels, .. } = &self.canvas;
+        match save_png(&path, *size, &[], |write| write(levels)) {
             Ok(()) => {
-                print_line(path.display());
+                print_line(path.display())?;
                 self.set_title(&format!("saved {}", path.display()));
             }
             Err(error) => {
@@ -196,6 +213,7 @@ impl Preview {
                 self.set_title(&error.to_string());
             }
         }
+        Ok(())
     }
 
     /// Sets the title: stage, view and knob, and after them `status`.

@@ -20,6 +20,7 @@ use refraction::Material;
 use shadows::Scene;
 use speed_and_accuracy::table::three_digits;
 use std::hint::black_box;
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, ExitCode, Output};
 use std::time::Instant;
@@ -71,7 +72,7 @@ fn main() -> ExitCode {
 fn run(arguments: &[String]) -> Result<(), Error> {
     match arguments {
         [help] if help == "--help" => {
-            print_line(USAGE);
+            print_line(USAGE)?;
             Ok(())
         }
         [folder] => race(folder),
@@ -84,7 +85,7 @@ fn race(folder: &str) -> Result<(), Error> {
     let peers = Peers::find(folder, &path);
     let peers = peers.map_err(|error| Error::Usage(error.to_string()))?;
     common::check_release()?;
-    peers.missing.iter().for_each(|line| print_line(line));
+    peers.missing.iter().try_for_each(print_line)?;
     let folder = tempfile::tempdir().map_err(failed("make a temporary folder"))?;
     let mut measured_on = vec![common::machine()];
     let mut runners = ours(folder.path());
@@ -106,9 +107,9 @@ fn race(folder: &str) -> Result<(), Error> {
         }));
     }
     let measured_on = measured_on.join("; ");
-    print_line(&format!("measured on {measured_on}"));
+    print_line(&format!("measured on {measured_on}"))?;
     for round in 1..=ROUNDS {
-        print_line(&format!("round {round} of {ROUNDS}"));
+        print_line(&format!("round {round} of {ROUNDS}"))?;
         for runner in &mut runners {
             runner.seconds.push((runner.run)()?);
         }
@@ -117,16 +118,15 @@ fn race(folder: &str) -> Result<(), Error> {
     let heading = row(["picture", "ours", "s", "beside", "s", "ratio"]);
     print_line(&format!(
         "medians of {ROUNDS} rounds in turns:\n{heading}\n{rows}"
-    ));
+    ))?;
     if peers.missing.is_empty() {
         let anchored = |name, text| {
             format!("<!-- ANCHOR: {name} -->\n{text}\n<!-- ANCHOR_END: {name} -->\n")
         };
         let file = anchored("machine", measured_on) + &anchored("ratios", rows);
-        write_file(Path::new(TABLE), file.as_bytes())
-            .map_err(|error| Error::Failed(error.to_string()))?;
+        write_file(Path::new(TABLE), |out| out.write_all(file.as_bytes()))?;
     } else {
-        print_line("the book's table stays as it is: a tracer is missing");
+        print_line("the book's table stays as it is: a tracer is missing")?;
     }
     Ok(())
 }

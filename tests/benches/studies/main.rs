@@ -11,6 +11,7 @@ use preview::{print_line, write_file};
 use speed_and_accuracy::chart::pareto_front;
 use speed_and_accuracy::study::{Clock, Study};
 use speed_and_accuracy::table::Table;
+use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -23,7 +24,7 @@ fn run(names: &[String]) -> Result<(), Error> {
     if names.iter().any(|name| name == "--help") {
         print_line(&format!(
             "cargo bench --bench studies -- [NAME…]\nthe studies: {all}"
-        ));
+        ))?;
         return Ok(());
     }
     for name in names {
@@ -33,7 +34,7 @@ fn run(names: &[String]) -> Result<(), Error> {
         }
     }
     common::check_release()?;
-    print_line(&format!("measured on {}", common::machine()));
+    print_line(&format!("measured on {}", common::machine()))?;
     for study in studies() {
         if names.is_empty() || names.iter().any(|name| name == study.name) {
             measure(study)?;
@@ -45,7 +46,7 @@ fn run(names: &[String]) -> Result<(), Error> {
 /// Measures a study, writes its table and its charts, and prints a line for each chart of
 /// costs and errors: the methods that no other beats.
 fn measure(study: &Study) -> Result<(), Error> {
-    print_line(&format!("\n{}", study.title));
+    print_line(&format!("\n{}", study.title))?;
     let table = Table {
         machine: common::machine(),
         rows: (study.measure)(&Clock::RUNNING),
@@ -55,8 +56,7 @@ fn measure(study: &Study) -> Result<(), Error> {
     let table = Table::from_csv(&csv).expect("it was just written");
     let svg = plot::svg(study.title, study.charts, &table);
     for (extension, text) in [("csv", csv), ("svg", svg)] {
-        write_file(&study.path(extension), text.as_bytes())
-            .map_err(|error| Error::Failed(error.to_string()))?;
+        write_file(&study.path(extension), |file| file.write_all(text.as_bytes()))?;
     }
     for chart in study
         .charts
@@ -67,7 +67,7 @@ fn measure(study: &Study) -> Result<(), Error> {
         let front = pareto_front(lines.iter().flat_map(|line| line.points.clone()));
         lines.retain(|line| line.points.iter().any(|point| front.contains(point)));
         let best: Vec<&str> = lines.iter().map(|line| line.method).collect();
-        print_line(&format!("  {}: {}", chart.title, best.join(", ")));
+        print_line(&format!("  {}: {}", chart.title, best.join(", ")))?;
     }
     Ok(())
 }
