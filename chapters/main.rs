@@ -1,9 +1,14 @@
 //! `cargo run`: lists the chapters, as the book's table of contents has them.
 
+// By its path, for this program builds no chapter.
+#[path = "preview/src/processor.rs"]
+mod processor;
+
 use std::io::{ErrorKind, Result, Write, stderr, stdout};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    processor::check();
     match list() {
         // A closed pipe is no error: its reader has seen enough.
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

@@ -12,6 +12,8 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 const SPHERE_HIT: &Stage = &sphere_hit::STAGE;
@@ -96,6 +98,7 @@ fn assert_shows(path: &Path, stage: &Stage, view: &str, setting: f32, size: UVec
     let expected = Canvas::render(&(view.picture)(setting), size);
     assert_eq!((saved.width(), saved.height()), (size.x, size.y));
     assert_eq!(saved.color(), image::ColorType::Rgb8);
+    assert!(programs::png_info(path).srgb.is_some(), "no sRGB chunk");
     assert!(
         saved.as_bytes() == expected.levels.as_flattened(),
         "{} is not {} at {setting}",
@@ -412,27 +415,119 @@ mod unix {
         }
     }
 
+    /// Every way to print something.
+    const PRINTING: [(&str, &[&str]); 8] = [
+        ("chapters", &[]),
+        (SHADING.name, &["--list"]),
+        (SHADING.name, &["--help"]),
+        (SHADING.name, &["--size", SMALL.0, "--png", "a.png"]),
+        (SHADING.name, &["--size", SMALL.0, "--all", "."]),
+        (SHADING.name, &["--size", SMALL.0]),
+        (::interactive::STAGE.name, &["--trace", "1,1"]),
+        (::interactive::STAGE.name, &["--help"]),
+    ];
+
     #[test]
     fn a_closed_stdout_is_no_reason_to_panic() {
-        #[rustfmt::skip]
-        let cases: [(&str, &[&str]); 5] = [
-            ("chapters", &[]),
-            (SHADING.name, &["--list"]),
-            (SHADING.name, &["--help"]),
-            (SHADING.name, &["--size", SMALL.0, "--png", "a.png"]),
-            (SHADING.name, &["--size", SMALL.0]),
-        ];
-        let folder = temp();
-        for (program, arguments) in cases {
+        for (program, arguments) in PRINTING {
+            let folder = temp();
             let (reader, writer) = std::io::pipe().expect("a pipe");
             drop(reader);
             let mut command = command(program, arguments, folder.path());
             let output = output(command.stdout(writer));
             assert_eq!(text(&output.stderr), "", "{arguments:?}");
             assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+            // The picture is saved all the same.
+            if arguments.contains(&"--png") {
+                assert_eq!(names(folder.path()), ["a.png"]);
+            }
         }
-        let hero = format!("{}--{}.png", SHADING.name, SHADING.hero);
-        assert_eq!(names(folder.path()), [&hero, "a.png"]);
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn what_a_full_disk_loses_of_the_output_is_an_error() {
+        for (program, arguments) in PRINTING {
+            let folder = temp();
+            let full = fs::File::options().write(true).open("/dev/full");
+            let mut command = command(program, arguments, folder.path());
+            let output = output(command.stdout(full.expect("/dev/full")));
+            let stderr = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+            assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
+            assert!(stderr.starts_with("error: cannot print: "), "{stderr}");
+        }
+    }
+
+    /// Returns a program that may use so many kilobytes of memory.
+    fn with_memory(kilobytes: u64, program: &str, folder: &Path) -> Command {
+        let mut command = Command::new("sh");
+        command
+            .args(["-c", "ulimit -v \"$1\"; shift; exec \"$@\"", "sh"])
+            .arg(kilobytes.to_string())
+            .arg(programs::path(program))
+            .current_dir(folder)
+            .env_remove("DISPLAY");
+        command
+    }
+
+    /// As one canvas, this picture takes 1.2 GB.
+    #[test]
+    fn a_png_needs_no_more_memory_than_a_few_of_its_rows() {
+        let folder = temp();
+        let mut command = with_memory(600_000, canvas::STAGE.name, folder.path());
+        command.args(["--size", "16384x4096", "--png", "a.png"]);
+        let output = output(&mut command);
+        assert_eq!(text(&output.stderr), "");
+        assert_eq!(output.status.code(), Some(0));
+        let info = programs::png_info(&folder.path().join("a.png"));
+        assert_eq!((info.width, info.height), (16384, 4096));
+    }
+
+    #[test]
+    fn where_memory_is_short_it_says_so() {
+        let (mut succeeded, mut refused) = (0, 0);
+        for kilobytes in (16_000..400_000).step_by(8_000) {
+            let folder = temp();
+            let mut command = with_memory(kilobytes, SHADING.name, folder.path());
+            command.args(["--size", "16384x8", "--png", "a.png"]);
+            let output = output(&mut command);
+            let stderr = text(&output.stderr);
+            match output.status.code() {
+                Some(0) => succeeded += 1,
+                // Too little for the program to be loaded at all.
+                Some(126 | 127) => {}
+                code => {
+                    assert_eq!(code, Some(1), "{kilobytes}: {stderr}");
+                    assert_eq!(stderr.lines().count(), 1, "{kilobytes}: {stderr}");
+                    assert!(stderr.starts_with("error: cannot save a.png: "), "{stderr}");
+                    assert!(names(folder.path()).is_empty());
+                    refused += 1;
+                }
+            }
+        }
+        assert!(succeeded > 0 && refused > 0, "{succeeded}, {refused}");
+    }
+
+    /// An emulated processor lacks the vectors of most that this is built on and for.
+    #[test]
+    #[cfg(all(target_arch = "x86_64", target_feature = "avx"))]
+    fn on_an_older_processor_it_says_so() {
+        for program in ["chapters", SHADING.name, ::interactive::STAGE.name] {
+            let mut command = Command::new("qemu-x86_64");
+            command.args(["-cpu", "Nehalem"]).arg(programs::path(program));
+            let output = match command.arg("--list").output() {
+                Ok(output) => output,
+                Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                    return programs::skip("qemu-x86_64", "qemu-user");
+                }
+                Err(error) => panic!("qemu-x86_64 does not start: {error}"),
+            };
+            let stderr = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{program}: {stderr}");
+            assert_eq!(stderr.lines().count(), 1, "{program}: {stderr}");
+            assert!(stderr.contains("built for another processor"), "{stderr}");
+        }
     }
 
     #[test]
@@ -454,26 +549,111 @@ mod unix {
         }
     }
 
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path).expect("a file").permissions().mode() & 0o777
+    }
+
     #[test]
-    fn a_picture_that_replaces_another_is_an_ordinary_file() {
+    fn a_new_picture_is_an_ordinary_file() {
         let folder = temp();
         let at = |name: &str| folder.path().join(name);
-        let mode = |name| {
-            let metadata = fs::metadata(at(name)).expect("a file");
-            metadata.permissions().mode() & 0o777
-        };
         // The bits of 0666 that the umask leaves.
         fs::write(at("ordinary"), "").expect("a file");
+        let arguments = ["--size", SMALL.0, "--png", "new.png"];
+        accepted(SHADOWS.name, &arguments, folder.path());
+        assert_eq!(mode(&at("new.png")), mode(&at("ordinary")));
+    }
+
+    #[test]
+    fn a_replaced_picture_keeps_its_links_and_its_mode() {
+        let folder = temp();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("elsewhere")).expect("a folder");
         fs::write(at("old.png"), "an old picture").expect("a file");
-        symlink("old.png", at("link.png")).expect("a link");
-        for name in ["old.png", "new.png", "link.png"] {
-            let arguments = ["--size", SMALL.0, "--png", name];
-            assert_eq!(accepted(SHADOWS.name, &arguments, folder.path()), [name]);
-            assert_shows(&at(name), SHADOWS, SHADOWS.hero, 0.0, SMALL.1);
-            assert_eq!(mode(name), mode("ordinary"), "{name}");
+        let links = [
+            ("link.png", "old.png"),
+            ("link-to-link.png", "link.png"),
+            // From the link's folder, not from the current one.
+            ("elsewhere/link.png", "../old.png"),
+            // To what does not exist yet.
+            ("dangling.png", "elsewhere/new.png"),
+            ("elsewhere/dangling.png", "newer.png"),
+        ];
+        for (link, target) in links {
+            symlink(target, at(link)).expect("a link");
         }
-        assert!(at("link.png").is_symlink(), "a link stays a link");
-        let all = ["link.png", "new.png", "old.png", "ordinary"];
+        for old in [0o600, 0o644, 0o666, 0o755, 0o200] {
+            let permissions = fs::Permissions::from_mode(old);
+            fs::set_permissions(at("old.png"), permissions).expect("a mode");
+            for (name, _) in [("old.png", "")].into_iter().chain(links) {
+                let arguments = ["--size", SMALL.0, "--png", name];
+                assert_eq!(accepted(SHADOWS.name, &arguments, folder.path()), [name]);
+                if old != 0o200 {
+                    assert_shows(&at(name), SHADOWS, SHADOWS.hero, 0.0, SMALL.1);
+                }
+                assert_eq!(mode(&at("old.png")), old, "{name}");
+            }
+        }
+        for (link, target) in links {
+            assert_eq!(fs::read_link(at(link)).expect("a link"), Path::new(target));
+        }
+        let all = [
+            "dangling.png",
+            "elsewhere",
+            "link-to-link.png",
+            "link.png",
+            "old.png",
+        ];
         assert_eq!(names(folder.path()), all);
+        let all = ["dangling.png", "link.png", "new.png", "newer.png"];
+        assert_eq!(names(&at("elsewhere")), all);
+    }
+
+    #[test]
+    fn a_link_that_leads_nowhere_is_refused_and_stays() {
+        let folder = temp();
+        let links = [
+            ("itself.png", "itself.png", "itself.png: "),
+            ("one.png", "two.png", "one.png: "),
+            ("two.png", "one.png", "two.png: "),
+            ("lost.png", "nowhere/a.png", "no folder ./nowhere"),
+        ];
+        for (link, target, _) in links {
+            symlink(target, folder.path().join(link)).expect("a link");
+        }
+        for (link, target, words) in links {
+            let mut command = command(SHADOWS.name, &["--png", link], folder.path());
+            assert_refused(&mut command, folder.path(), 1, &[words]);
+            let found = fs::read_link(folder.path().join(link));
+            assert_eq!(found.expect("a link"), Path::new(target));
+        }
+    }
+
+    #[test]
+    fn an_interrupted_program_leaves_nothing() {
+        use std::os::unix::process::ExitStatusExt;
+        for (signal, number) in [("INT", 2), ("TERM", 15)] {
+            let folder = temp();
+            fs::write(folder.path().join("old.png"), "an old picture").expect("a file");
+            // More than can be done before the signal.
+            let arguments = ["--size", "16384x16384", "--png", "old.png"];
+            let mut command = command(SHADING.name, &arguments, folder.path());
+            let mut program = command.spawn().expect("the program runs");
+            let deadline = Instant::now() + Duration::from_secs(60);
+            while names(folder.path()).len() < 2 {
+                assert!(Instant::now() < deadline, "nothing is saved");
+                sleep(Duration::from_millis(10));
+            }
+            assert!(names(folder.path())[0].starts_with(".unfinished-"));
+            let kill = Command::new("kill")
+                .args(["-s", signal, &program.id().to_string()])
+                .status();
+            assert!(kill.expect("kill runs").success());
+            let status = program.wait().expect("the program ends");
+            assert_eq!(status.signal(), Some(number));
+            assert_eq!(names(folder.path()), ["old.png"]);
+            let old = fs::read(folder.path().join("old.png"));
+            assert_eq!(old.expect("a file"), b"an old picture");
+        }
     }
 }

@@ -55,16 +55,6 @@ fn wait_for<T>(what: impl Debug, mut find: impl FnMut() -> Option<T>) -> T {
     panic!("waited in vain for {what:?}");
 }
 
-/// Says in one line that a test is skipped, for want of a tool; panics in CI.
-fn skip(tool: &str, package: &str) {
-    assert!(std::env::var_os("CI").is_none(), "CI needs {tool}");
-    // Not `eprintln!`, whose output a passing test hides.
-    let test = std::thread::current();
-    let test = test.name().unwrap_or_default();
-    let line = format!("skipped: {test} (no {tool}; Debian has it in `{package}`)");
-    writeln!(std::io::stderr(), "{line}").expect("stderr");
-}
-
 /// A process that is killed when it is dropped, so that none outlives its test.
 struct Process(Child);
 
@@ -96,7 +86,7 @@ impl Screen {
         let mut server = match server {
             Ok(server) => Process(server),
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                skip("Xvfb", "xvfb");
+                programs::skip("Xvfb", "xvfb");
                 return None;
             }
             Err(error) => panic!("Xvfb does not start: {error}"),
@@ -137,7 +127,7 @@ impl Screen {
         match setxkbmap.status() {
             Ok(status) => assert!(status.success(), "no layout {layout}"),
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                skip("setxkbmap", "x11-xkb-utils");
+                programs::skip("setxkbmap", "x11-xkb-utils");
                 return None;
             }
             Err(error) => panic!("setxkbmap does not start: {error}"),

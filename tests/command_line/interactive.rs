@@ -6,6 +6,7 @@ use canvas::Picture;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::{AIR, GLASS, still_life_with_glass};
 use shadow_acne::{from_surface, trace, untracked};
+use std::collections::BTreeSet;
 
 #[test]
 fn camera_and_trace_and_target_say_what_is_wrong_with_them() {
@@ -111,4 +112,56 @@ fn trace_explains_a_pixel_and_opens_no_window() {
         "{lines:?}"
     );
     assert!(names(folder.path()).is_empty());
+}
+
+/// Returns the command that a saved picture of the walk holds.
+fn command_in(path: &Path) -> String {
+    let info = programs::png_info(path);
+    let latin = info.uncompressed_latin1_text.iter();
+    let latin = latin.map(|text| (&text.keyword, text.text.clone()));
+    let utf8 = info.utf8_text.iter();
+    let utf8 = utf8.map(|text| (&text.keyword, text.get_text().expect("UTF-8")));
+    let mut texts = latin.chain(utf8);
+    let command = texts.find(|(keyword, _)| *keyword == "Command");
+    command.expect("a command").1
+}
+
+/// Whatever a picture is called, a shell that is given its command draws it again, under the
+/// same name, and does nothing else.
+#[test]
+#[cfg(unix)]
+fn a_pictures_command_is_quoted_for_a_shell() {
+    #[rustfmt::skip]
+    let parts = [
+        "plain", " ", "'", "\"", "$(touch x)", "`touch x`", ";touch x;", "\n", "\ntouch x\n", "-", "--", "--help", "-x ",
+        "*", "?", "[a-z]", "{a,b}", "~", "#", " #", "&touch x&", "|touch x", "<a", ">x", "!", "!!", "\\", "\\\\", "\\'",
+        "$HOME", "${HOME}", "$'a'", "%s", "=x", "(x)", "\t", "\r", "ü", "…", "日本", "''", "\"$(id)\"", "a'b\"c",
+    ];
+    // By itself, within a word, and behind a quote.
+    let names: BTreeSet<_> = (parts.iter())
+        .flat_map(|part| {
+            ["{}.png", "a{}b.png", "'{}.png"].map(|form| form.replace("{}", part))
+        })
+        .collect();
+    assert!(names.len() > 100);
+    for name in names {
+        let [folder, again] = [temp(), temp()];
+        let png = format!("--png={name}");
+        let arguments = ["--view", "shading", "--size", "8x6", &png];
+        accepted(STAGE.name, &arguments, folder.path());
+        let path = folder.path().join(&name);
+        // What cargo would run.
+        let cargo = "cargo() { shift 5; \"$PROGRAM\" \"$@\"; }";
+        let mut sh = Command::new("sh");
+        sh.args(["-c", &format!("{cargo}\n{}", command_in(&path))])
+            .env("PROGRAM", programs::path(STAGE.name))
+            .current_dir(again.path());
+        let output = output(&mut sh);
+        let stderr = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{name}: {stderr}");
+        assert_eq!(super::names(again.path()), [name.clone()]);
+        let drawn = fs::read(again.path().join(&name)).expect("a picture");
+        // Its command is the same as well.
+        assert!(drawn == fs::read(&path).expect("a picture"), "{name}");
+    }
 }

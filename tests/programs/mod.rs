@@ -2,7 +2,7 @@
 
 use std::env::{self, consts::EXE_SUFFIX};
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Write, stderr};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
@@ -41,4 +41,14 @@ pub fn png_info(path: &Path) -> png::Info<'static> {
     let file = BufReader::new(File::open(path).expect("a file"));
     let reader = png::Decoder::new(file).read_info().expect("a PNG");
     reader.info().clone()
+}
+
+/// Says in one line that a test is skipped, for want of a tool; panics in CI.
+pub fn skip(tool: &str, package: &str) {
+    assert!(env::var_os("CI").is_none(), "CI needs {tool}");
+    // Not `eprintln!`, whose output a passing test hides.
+    let test = std::thread::current();
+    let test = test.name().unwrap_or_default();
+    let line = format!("skipped: {test} (no {tool}; Debian has it in `{package}`)");
+    writeln!(stderr(), "{line}").expect("stderr");
 }

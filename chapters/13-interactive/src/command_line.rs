@@ -14,7 +14,7 @@ use std::time::Duration;
 const KEYS: &str = "In the window: W A S D move, R F rise and sink (or: Page Up and Down, Left and Right, Insert and \
                     Delete), Home leads back, the mouse turns (drag), its wheel and + - change the focal length, \
                     1-9 (or F1-F9) and Tab change the view, Up and Down turn the knob, a click explains a pixel, \
-                    Space freezes, P (or F12) saves a PNG, Esc closes.";
+                    Space freezes, P saves a PNG (or F12), Esc closes.";
 
 /// Parses the program's arguments, and runs the walk or renders what they request.
 ///

@@ -5,5 +5,5 @@ mod shot;
 mod window;
 
 fn main() -> std::process::ExitCode {
-    preview::exit_code(command_line::run())
+    preview::exit_code(command_line::run)
 }

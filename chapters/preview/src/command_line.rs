@@ -20,7 +20,7 @@ pub fn command(stage: &'static Stage) -> Command {
     Command::new(stage.name)
         .about(stage.title)
         .after_help(
-            "In the window: Tab or 1-9 (or F1-F9) change the view, Up and Down turn the knob, P (or F12) saves a PNG, Esc closes.",
+            "In the window: Tab or 1-9 (or F1-F9) change the view, Up and Down turn the knob, P saves a PNG (or F12), Esc closes.",
         )
         .args([
             option("view", "NAME", "Show this view")

@@ -1,5 +1,6 @@
 //! The errors of a chapter's program.
 
+use crate::processor;
 use crate::terminal::print_error;
 use glam::UVec2;
 use std::fmt::{self, Display};
@@ -112,11 +113,14 @@ impl From<clap::Error> for Error {
     }
 }
 
-/// Prints the error, if there is one, and returns the program's exit code: 0 for success, 2
-/// for invalid arguments, 1 for other errors.
+/// Runs a program, prints its error, if there is one, and returns its exit code: 0 for
+/// success, 2 for invalid arguments, 1 for other errors.
+///
+/// A processor that lacks instructions of this program is also an error.
 #[must_use]
-pub fn exit_code(result: Result<(), Error>) -> ExitCode {
-    let Err(error) = result else {
+pub fn exit_code(run: impl FnOnce() -> Result<(), Error>) -> ExitCode {
+    processor::check();
+    let Err(error) = run() else {
         return ExitCode::SUCCESS;
     };
     print_error(&error);

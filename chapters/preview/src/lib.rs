@@ -5,6 +5,7 @@ mod error;
 mod file;
 mod keyboard;
 mod memory;
+mod processor;
 mod run;
 pub mod show;
 mod terminal;

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 /// Returns the program's [`exit_code`].
 #[must_use]
 pub fn run(stage: &'static Stage) -> ExitCode {
-    exit_code(run_arguments(stage))
+    exit_code(|| run_arguments(stage))
 }
 
 fn run_arguments(stage: &'static Stage) -> Result<(), Error> {
