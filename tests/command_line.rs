@@ -515,7 +515,9 @@ mod unix {
     fn on_an_older_processor_it_says_so() {
         for program in ["chapters", SHADING.name, ::interactive::STAGE.name] {
             let mut command = Command::new("qemu-x86_64");
-            command.args(["-cpu", "Nehalem"]).arg(programs::path(program));
+            command
+                .args(["-cpu", "Nehalem"])
+                .arg(programs::path(program));
             let output = match command.arg("--list").output() {
                 Ok(output) => output,
                 Err(error) if error.kind() == std::io::ErrorKind::NotFound => {

@@ -285,8 +285,19 @@ fn a_key_that_is_let_go_in_another_window_is_let_go() {
     let other = screen.x.generate_id().expect("an id");
     let aux = xproto::CreateWindowAux::new();
     let class = xproto::WindowClass::INPUT_OUTPUT;
-    let created = (screen.x)
-        .create_window(0, other, screen.root, 600, 600, 50, 50, 0, class, 0, &aux);
+    let created = (screen.x).create_window(
+        0,
+        other,
+        screen.root,
+        600,
+        600,
+        50,
+        50,
+        0,
+        class,
+        0,
+        &aux,
+    );
     created.expect("sent").check().expect("a window");
     screen.x.map_window(other).expect("sent");
 

@@ -101,12 +101,15 @@ impl Picture {
         for top in (0..size.y).step_by(BAND as usize) {
             let rows = BAND.min(size.y - top) as usize;
             let levels = &mut band[..rows * width];
-            levels.par_chunks_mut(width).zip(top..top + rows as u32).for_each_init(
-                || vec![Vec3::ZERO; width],
-                |radiance, (levels, y)| {
-                    render_row(self, Pixel { x: 0, y, size }, radiance, levels);
-                },
-            );
+            levels
+                .par_chunks_mut(width)
+                .zip(top..top + rows as u32)
+                .for_each_init(
+                    || vec![Vec3::ZERO; width],
+                    |radiance, (levels, y)| {
+                        render_row(self, Pixel { x: 0, y, size }, radiance, levels);
+                    },
+                );
             write(levels)?;
         }
         Ok(())

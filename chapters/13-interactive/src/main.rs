@@ -1,6 +1,7 @@
 //! The program of the chapter: its window and its command line.
 
 mod command_line;
+mod mouse;
 mod shot;
 mod window;
 

@@ -1,5 +1,6 @@
 //! The window to walk in.
 
+use crate::mouse::{Mouse, MouseEvent};
 use crate::shot;
 use canvas::{Pixel, View};
 use glam::{UVec2, Vec2, Vec3};
@@ -7,15 +8,15 @@ use interactive::explain::{budget, explain, explanation};
 use interactive::overlay::Overlay;
 use interactive::views::WalkView;
 use interactive::{CameraPose, Frame, RenderRequest, RenderThread, STAGE};
-use minifb::{Key, MouseButton, MouseMode, ScaleMode, Window, WindowOptions};
+use minifb::{Key, ScaleMode, Window, WindowOptions};
 use preview::{
     Error, KeyEvent, Keyboard, check_memory, digit, print_error, print_line,
     size_on_screen,
 };
 use std::time::{Duration, Instant};
 
-/// How many times per second the mouse is looked at. minifb only knows whether its button is
-/// down, so a click is lost that is shorter than the time between two looks.
+/// How many times per second keys and mouse are looked at. Where the mouse has no events,
+/// a click is lost that is shorter than the time between two looks.
 const LOOKS_PER_SECOND: usize = 500;
 
 /// How often the camera moves and the window is redrawn, at most.
@@ -26,16 +27,6 @@ const SPEED: f32 = 2.5;
 
 /// The factor by which a notch of the wheel, or + and −, change the focal length.
 const ZOOM: f32 = 1.1;
-
-/// What minifb reports for a notch of the wheel. X11's is a button, and minifb counts both
-/// its press and its release.
-const NOTCH: f32 = if cfg!(windows) {
-    12.0
-} else if cfg!(target_os = "macos") {
-    1.0
-} else {
-    2.0
-};
 
 /// A press of the button is a click, and no drag, while the pointer stays this close, in pixels.
 const CLICK_RADIUS: f32 = 3.0;
@@ -67,6 +58,7 @@ pub fn open(request: RenderRequest, target: Duration) -> Result<(), Error> {
         .map_err(Error::NoWindow)?;
     window.set_target_fps(LOOKS_PER_SECOND);
     let mut keyboard = Keyboard::new(&mut window);
+    let mut mouse = Mouse::new(&window);
 
     check_memory(size, BYTES_PER_PIXEL)?;
     let mut walk = Walk::new(RenderRequest { size, ..request }, target);
@@ -79,7 +71,9 @@ pub fn open(request: RenderRequest, target: Duration) -> Result<(), Error> {
             }
             walk.handle_key(event)?;
         }
-        walk.handle_mouse(&window)?;
+        for event in mouse.events(&window) {
+            walk.handle_mouse(event)?;
+        }
         let passed = stepped.elapsed();
         if passed < FRAME_INTERVAL {
             window.update();
@@ -211,21 +205,51 @@ impl Walk {
         self.request.pose = self.request.pose.zoomed(factor);
     }
 
-    fn handle_mouse(&mut self, window: &Window) -> Result<(), Error> {
-        if let Some((_, up)) = window.get_scroll_wheel()
-            && !self.is_frozen
-        {
-            self.scroll += up / NOTCH;
-            while self.scroll >= 1.0 {
-                self.zoom(ZOOM);
-                self.scroll -= 1.0;
+    /// A click explains a pixel; a drag turns the camera, so that what is under the pointer
+    /// stays about there; the wheel zooms.
+    fn handle_mouse(&mut self, event: MouseEvent) -> Result<(), Error> {
+        match event {
+            MouseEvent::Press(at) => {
+                self.press = Some(Press {
+                    start: at,
+                    last: at,
+                    is_drag: false,
+                });
             }
-            while self.scroll <= -1.0 {
-                self.zoom(1.0 / ZOOM);
-                self.scroll += 1.0;
+            MouseEvent::Move(at) => self.drag(at),
+            MouseEvent::Release(at) => {
+                self.drag(at);
+                if let Some(press) = self.press.take()
+                    && !press.is_drag
+                {
+                    return self.explain(press.start);
+                }
+            }
+            MouseEvent::Scroll(_) if self.is_frozen => {}
+            MouseEvent::Scroll(notches) => {
+                self.scroll += notches;
+                while self.scroll >= 1.0 {
+                    self.zoom(ZOOM);
+                    self.scroll -= 1.0;
+                }
+                while self.scroll <= -1.0 {
+                    self.zoom(1.0 / ZOOM);
+                    self.scroll += 1.0;
+                }
             }
         }
-        self.click_or_drag(window)
+        Ok(())
+    }
+
+    /// Turns the camera if the button is down and the pointer has moved.
+    fn drag(&mut self, at: Vec2) {
+        let Some(press) = &mut self.press else { return };
+        press.is_drag |= at.distance(press.start) > CLICK_RADIUS;
+        if press.is_drag && !self.is_frozen {
+            let moved = (press.last - at) / (self.request.size.y as f32 / 2.0);
+            self.request.pose = self.request.pose.turned(moved * Vec2::new(1.0, -1.0));
+        }
+        press.last = at;
     }
 
     /// Moves the camera by the keys that are held, and requests a picture of the window's
@@ -257,39 +281,6 @@ impl Walk {
         self.is_new |= size != request.size;
         request.size = size;
         self.render_thread.request(*request);
-    }
-
-    /// A click explains a pixel; a drag turns the camera, so that what is under the pointer
-    /// stays about there.
-    fn click_or_drag(&mut self, window: &Window) -> Result<(), Error> {
-        let is_down = window.get_mouse_down(MouseButton::Left);
-        let Some(at) = window.get_mouse_pos(MouseMode::Pass).map(Vec2::from) else {
-            return Ok(());
-        };
-        let Some(press) = &mut self.press else {
-            self.press = is_down.then_some(Press {
-                start: at,
-                last: at,
-                is_drag: false,
-            });
-            return Ok(());
-        };
-        if is_down {
-            press.is_drag |= at.distance(press.start) > CLICK_RADIUS;
-            if press.is_drag && !self.is_frozen {
-                let moved = (press.last - at) / (self.request.size.y as f32 / 2.0);
-                self.request.pose =
-                    self.request.pose.turned(moved * Vec2::new(1.0, -1.0));
-            }
-            press.last = at;
-        } else {
-            let clicked = (!press.is_drag).then_some(press.start);
-            self.press = None;
-            if let Some(at) = clicked {
-                return self.explain(at);
-            }
-        }
-        Ok(())
     }
 
     /// Explains the pixel of the shown frame at a point of the window.

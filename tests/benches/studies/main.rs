@@ -56,7 +56,9 @@ fn measure(study: &Study) -> Result<(), Error> {
     let table = Table::from_csv(&csv).expect("it was just written");
     let svg = plot::svg(study.title, study.charts, &table);
     for (extension, text) in [("csv", csv), ("svg", svg)] {
-        write_file(&study.path(extension), |file| file.write_all(text.as_bytes()))?;
+        write_file(&study.path(extension), |file| {
+            file.write_all(text.as_bytes())
+        })?;
     }
     for chart in study
         .charts
