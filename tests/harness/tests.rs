@@ -4,6 +4,7 @@ use canvas::{Knob, Picture, STAGE, Scale, Stage, View};
 use glam::Vec3;
 use harness::{Numbers, check_pictures, check_threads};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::process::Command;
 use std::thread;
 
 /// The canvas's first picture, but for one pixel that is a level too blue.
@@ -81,9 +82,46 @@ fn a_picture_that_depends_on_its_thread_is_seen() {
 }
 
 #[test]
-#[should_panic = "snapshot assertion"]
+#[should_panic = "the numbers are not those of 00-canvas"]
 fn a_number_that_is_not_the_books_is_seen() {
     let mut numbers = Numbers::default();
     numbers.note("levels", "another number");
     numbers.check(STAGE.name);
+}
+
+/// Runs another of these tests, and returns all that it says.
+fn said_by(test: &str) -> String {
+    let program = std::env::current_exe().expect("the test's own path");
+    let arguments = ["--exact", test, "--nocapture"];
+    let output = Command::new(program).args(arguments).output();
+    let output = output.expect("the test runs");
+    let bytes = [output.stdout, output.stderr].concat();
+    String::from_utf8(bytes).expect("UTF-8")
+}
+
+#[test]
+fn what_differs_is_shown_with_advice_that_works() {
+    for (test, words) in [
+        (
+            "a_number_that_is_not_the_books_is_seen",
+            "+another number\n",
+        ),
+        (
+            "a_pixel_that_is_a_level_off_is_seen",
+            "1 of 480000 pixels differ",
+        ),
+        (
+            "a_picture_that_the_book_has_not_is_seen_at_every_setting",
+            "no such picture yet",
+        ),
+    ] {
+        let said = said_by(test);
+        let advice = format!(
+            "INSTA_UPDATE=always cargo test --test {}\n",
+            env!("CARGO_CRATE_NAME")
+        );
+        assert!(said.contains(words) && said.contains(&advice), "{said}");
+        // Nobody needs it, and it would find nothing.
+        assert!(!said.contains("cargo insta"), "{said}");
+    }
 }

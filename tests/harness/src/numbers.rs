@@ -1,7 +1,11 @@
 //! The numbers that the book quotes: text snapshots in `book/src/numbers`, which its pages
 //! include by anchor.
 
+use crate::snapshots::advice;
+use similar::TextDiff;
 use std::fmt::{Display, Write};
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// One file of numbers.
 #[derive(Default)]
@@ -20,16 +24,28 @@ impl Numbers {
     /// Compares these numbers with the book's file called `name`.
     ///
     /// # Panics
-    /// If they differ.
+    /// If they differ; the message shows the lines that do.
     pub fn check(&self, name: &str) {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/numbers");
         let mut settings = insta::Settings::new();
-        settings.set_snapshot_path(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../book/src/numbers"
-        ));
+        settings.set_snapshot_path(folder);
         settings.set_prepend_module_to_snapshot(false);
         settings.set_omit_expression(true);
-        settings.bind(|| insta::assert_snapshot!(name, self.0));
+        let matched = catch_unwind(AssertUnwindSafe(|| {
+            settings.bind(|| insta::assert_snapshot!(name, self.0));
+        }));
+        if matched.is_err() {
+            let book = fs::read_to_string(format!("{folder}/{name}.snap"));
+            let book = book.unwrap_or_default();
+            // Insta's own lines come first, between two rules.
+            let book = book.splitn(3, "---\n").nth(2).unwrap_or_default();
+            let diff = TextDiff::from_lines(book.trim_end(), self.0.trim_end());
+            let diff = diff.unified_diff().header("the book's", "yours").to_string();
+            panic!(
+                "snapshot assertion: the numbers are not those of {name}\n{diff}{}",
+                advice("book/src/numbers")
+            );
+        }
     }
 }
 

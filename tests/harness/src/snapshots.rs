@@ -37,14 +37,22 @@ pub fn check_pictures(stage: &Stage) {
     }
     assert!(
         complaints.is_empty(),
-        "{complaints}
-If that is what you wanted, accept it: INSTA_UPDATE=always cargo test --test {}
-and look at the changed files in book/src/pictures.\n",
-        stage
-            .name
-            .trim_start_matches(|c: char| !c.is_alphabetic())
-            .replace('-', "_")
+        "{complaints}{}",
+        advice("book/src/pictures")
     );
+}
+
+/// Returns what to do if a difference is wanted: a command that accepts it, of this very test.
+pub(crate) fn advice(folder: &str) -> String {
+    // This program is target/debug/deps/NAME-HASH.
+    let program = std::env::current_exe().unwrap_or_default();
+    let program = program.file_stem().unwrap_or_default().to_string_lossy();
+    let (test, _) = program.rsplit_once('-').unwrap_or((&program, ""));
+    format!(
+        "
+If that is what you wanted, accept it: INSTA_UPDATE=always cargo test --test {test}
+and look at the changed files in {folder}.\n"
+    )
 }
 
 /// Compares a picture with the one in the book; the error says how they differ.
