@@ -627,6 +627,60 @@ fn without_memory_for_a_window_it_says_so() {
     assert!(files.next().is_none());
 }
 
+/// Whatever the limit: a window with its picture, or one line.
+#[test]
+fn where_memory_is_short_a_window_opens_or_says_so() {
+    let Some(screen) = Screen::new() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (mut opened, mut refused) = (0, 0);
+    for (stage, done) in [(SHADING, " rays"), (&::interactive::STAGE, "16 of 16")] {
+        let limits = std::iter::successors(Some(20_000_u64), |limit| Some(limit * 3 / 2));
+        for kilobytes in limits.take_while(|&limit| limit < 2_000_000) {
+            let process = Command::new("sh")
+                .args(["-c", "ulimit -v \"$1\"; shift; exec \"$@\"", "sh"])
+                .args([&kilobytes.to_string()])
+                .arg(programs::path(stage.name))
+                .args(["--size", "640x480"])
+                .current_dir(folder.path())
+                .env("DISPLAY", &screen.name)
+                .stdout(Stdio::null())
+                .stderr(Stdio::piped())
+                .spawn();
+            let mut process = Process(process.expect("sh runs"));
+            let status = wait_for("a picture or an end", || {
+                let ended = process.0.try_wait().expect("a process");
+                let tree = screen.x.query_tree(screen.root).ok()?.reply().ok()?;
+                let is_done = |&window: &xproto::Window| {
+                    screen.title(window).is_some_and(|title| {
+                        title.starts_with(stage.name) && title.contains(done)
+                    })
+                };
+                let is_done = tree.children.iter().any(is_done);
+                (ended.is_some() || is_done).then_some(ended)
+            });
+            let Some(status) = status else {
+                opened += 1;
+                drop(process);
+                wait_for("its window to go", || {
+                    let tree = screen.x.query_tree(screen.root).ok()?.reply().ok()?;
+                    tree.children.is_empty().then_some(())
+                });
+                continue;
+            };
+            let mut stderr = String::new();
+            let pipe = process.0.stderr.as_mut().expect("a pipe");
+            pipe.read_to_string(&mut stderr).expect("UTF-8");
+            // Too little for the program to be loaded at all.
+            if !matches!(status.code(), Some(126 | 127)) {
+                assert_eq!(status.code(), Some(1), "{kilobytes}: {stderr}");
+                assert_eq!(stderr.lines().count(), 1, "{kilobytes}: {stderr}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(opened > 0 && refused > 0, "{opened}, {refused}");
+}
+
 /// Returns the CPU time of a process or thread, in hundredths of a second, by its `stat` in
 /// /proc.
 fn ticks(stat: &str) -> u64 {

@@ -2,6 +2,7 @@
 
 mod laws;
 mod numbers;
+mod rows;
 
 use ::canvas::STAGE;
 

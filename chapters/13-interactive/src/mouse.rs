@@ -45,6 +45,15 @@ impl Mouse {
         }
     }
 
+    /// Returns whether no click is lost, however short.
+    pub fn has_events(&self) -> bool {
+        #[cfg(target_os = "linux")]
+        let has_events = self.x11.is_some();
+        #[cfg(not(target_os = "linux"))]
+        let has_events = false;
+        has_events
+    }
+
     /// Returns what has happened since the last call, in order.
     pub fn events(&mut self, window: &Window) -> Vec<MouseEvent> {
         #[cfg(target_os = "linux")]

@@ -15,9 +15,12 @@ use preview::{
 };
 use std::time::{Duration, Instant};
 
-/// How many times per second keys and mouse are looked at. Where the mouse has no events,
-/// a click is lost that is shorter than the time between two looks.
-const LOOKS_PER_SECOND: usize = 500;
+/// How many times per second keys and mouse are looked at.
+const LOOKS_PER_SECOND: usize = 60;
+
+/// The same where the mouse has no events: a click is then lost that is shorter than the time
+/// between two looks.
+const LOOKS_WITHOUT_EVENTS: usize = 500;
 
 /// How often the camera moves and the window is redrawn, at most.
 const FRAME_INTERVAL: Duration = Duration::from_millis(16);
@@ -56,9 +59,13 @@ pub fn open(request: RenderRequest, target: Duration) -> Result<(), Error> {
     let size = size_on_screen(request.size);
     let mut window = Window::new(STAGE.name, size.x as usize, size.y as usize, options)
         .map_err(Error::NoWindow)?;
-    window.set_target_fps(LOOKS_PER_SECOND);
     let mut keyboard = Keyboard::new(&mut window);
     let mut mouse = Mouse::new(&window);
+    window.set_target_fps(if mouse.has_events() {
+        LOOKS_PER_SECOND
+    } else {
+        LOOKS_WITHOUT_EVENTS
+    });
 
     check_memory(size, BYTES_PER_PIXEL)?;
     let mut walk = Walk::new(RenderRequest { size, ..request }, target);

@@ -1,7 +1,7 @@
 //! Files, written whole or not at all.
 
 use crate::error::Error;
-use crate::memory::has_room;
+use crate::memory::{PER_THREAD, has_room};
 use glam::UVec2;
 use std::collections::BTreeSet;
 use std::fs;
@@ -81,8 +81,8 @@ pub fn save_png(
     rows: impl FnOnce(&mut dyn FnMut(&[[u8; 3]]) -> io::Result<()>) -> io::Result<()>,
 ) -> Result<(), Error> {
     write_file(path, |file| {
-        // For one row on every thread, and those that wait to be written.
-        if !has_room(size.x.into(), 1 << 10) {
+        // For a row on every thread, and those that wait to be written.
+        if !has_room(u64::from(size.x) << 10, PER_THREAD) {
             return Err(ErrorKind::OutOfMemory.into());
         }
         let mut encoder = png::Encoder::new(file, size.x, size.y);

@@ -1,11 +1,5 @@
 //! The processor, which must have the instructions that the compiler has used.
 
-use std::io::{Write, stderr};
-use std::process::exit;
-
-/// What is said where they are missing: whatever composes a text may already use one of them.
-const LINE: &[u8] = b"error: this program was built for another processor, which has instructions that this one lacks; build it again here, or for all by RUSTFLAGS= cargo build\n";
-
 /// Ends the program with exit code 1 and one line on stderr if this processor lacks
 /// instructions that the compiler was allowed to use.
 ///
@@ -14,14 +8,22 @@ const LINE: &[u8] = b"error: this program was built for another processor, which
 pub fn check() {
     #[cfg(target_arch = "x86_64")]
     if x86::lacks_any() {
-        let _ = stderr().write_all(LINE);
-        exit(1);
+        x86::say_so();
+        std::process::exit(1);
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use std::arch::x86_64::__cpuid_count;
+    use std::io::{Write, stderr};
+
+    /// As it stands: whatever composes a text may already use such an instruction.
+    const LINE: &[u8] = b"error: this program was built for another processor, which has instructions that this one lacks; build it again here, or for all by RUSTFLAGS= cargo build\n";
+
+    pub fn say_so() {
+        let _ = stderr().write_all(LINE);
+    }
 
     /// Of the bits in three registers, those of the instructions that the compiler may use.
     /// Source: Intel 64 and IA-32 Architectures Software Developer's Manual, CPUID.

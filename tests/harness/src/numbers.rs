@@ -40,7 +40,10 @@ impl Numbers {
             // Insta's own lines come first, between two rules.
             let book = book.splitn(3, "---\n").nth(2).unwrap_or_default();
             let diff = TextDiff::from_lines(book.trim_end(), self.0.trim_end());
-            let diff = diff.unified_diff().header("the book's", "yours").to_string();
+            let diff = diff
+                .unified_diff()
+                .header("the book's", "yours")
+                .to_string();
             panic!(
                 "snapshot assertion: the numbers are not those of {name}\n{diff}{}",
                 advice("book/src/numbers")
