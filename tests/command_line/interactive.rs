@@ -159,7 +159,7 @@ fn a_pictures_command_is_quoted_for_a_shell() {
         let output = output(&mut sh);
         let stderr = text(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{name}: {stderr}");
-        assert_eq!(super::names(again.path()), [name.clone()]);
+        assert_eq!(super::names(again.path()), [name.as_str()]);
         let drawn = fs::read(again.path().join(&name)).expect("a picture");
         // Its command is the same as well.
         assert!(drawn == fs::read(&path).expect("a picture"), "{name}");
