@@ -73,6 +73,23 @@ mod the_source {
         none(&problems);
     }
 
+    /// Those of twelve that a reader looked for in vain, and of others that name what a page is
+    /// about.
+    #[test]
+    fn has_the_words_that_readers_search_for() {
+        const WORDS: &str = "gamma, bias, supersampling, checkerboard, dielectric, radiance, BVH, \
+            moiré, overflow, WSL, macOS, AZERTY, SIMD, occlusion, left-handed, cancellation, \
+            benchmark, rounding error, sRGB, linear light, Blinn-Phong, Schlick, Snell, \
+            total internal reflection, Beer-Lambert, caustic, nested dielectrics, priority, \
+            fireflies, clamp, jitter, stratified, Sobol";
+        // That page quotes the words themselves.
+        let others = pages().into_iter().filter(|page| page != "faults.md");
+        let text: Vec<String> = others.map(|page| read(&page)).collect();
+        let text = text.concat();
+        let missing = WORDS.split(", ").filter(|word| !text.contains(word));
+        none(&missing.map(|word| format!("no page says {word}")).collect::<Vec<_>>());
+    }
+
     #[test]
     fn shows_only_pictures_that_exist_and_every_view_of_every_chapter() {
         let mut problems = Vec::new();
