@@ -1,7 +1,7 @@
 //! Files, written whole or not at all.
 
 use crate::error::Error;
-use crate::memory::{PER_THREAD, has_room};
+use crate::memory::make_room;
 use glam::UVec2;
 use std::collections::BTreeSet;
 use std::fs;
@@ -82,7 +82,7 @@ pub fn save_png(
 ) -> Result<(), Error> {
     write_file(path, |file| {
         // For a row on every thread, and those that wait to be written.
-        if !has_room(u64::from(size.x) << 10, PER_THREAD) {
+        if !make_room(u64::from(size.x) << 10) {
             return Err(ErrorKind::OutOfMemory.into());
         }
         let mut encoder = png::Encoder::new(file, size.x, size.y);

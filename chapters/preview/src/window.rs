@@ -4,7 +4,7 @@ use crate::command_line::RenderArgs;
 use crate::error::Error;
 use crate::file::save_png;
 use crate::keyboard::{KeyEvent, Keyboard, digit};
-use crate::memory::{PER_WINDOW_THREAD, has_room};
+use crate::memory::make_room;
 use crate::terminal::{print_error, print_line};
 use canvas::{Canvas, Row, Stage, View, spawn_render};
 use glam::UVec2;
@@ -95,7 +95,7 @@ pub fn size_on_screen(size: UVec2) -> UVec2 {
 /// [`Error::Memory`] if there is not.
 pub fn check_memory(size: UVec2, bytes: u64) -> Result<(), Error> {
     let pixels = u64::from(size.x) * u64::from(size.y);
-    if has_room(pixels * bytes, PER_WINDOW_THREAD) {
+    if make_room(pixels * bytes) {
         Ok(())
     } else {
         Err(Error::Memory(size))
