@@ -2,7 +2,9 @@
 
 mod laws;
 mod numbers;
+mod rays;
 mod rows;
+mod stage;
 
 use ::canvas::STAGE;
 

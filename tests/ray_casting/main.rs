@@ -3,6 +3,7 @@
 mod faults;
 mod laws;
 mod numbers;
+mod ray;
 
 use ::ray_casting::STAGE;
 
