@@ -3,141 +3,29 @@
 //! Ten thousand scenes of spheres that overlap, touch and contain each other, of planes, mirrors and glass,
 //! small and large, near and far, with the camera and the lights outside, inside and on the surfaces.
 
-use canvas::{Canvas, Picture, View};
-use fresnel::fresnel;
+use canvas::{Canvas, View};
 use glam::{UVec2, Vec3};
-use measure::random_scenes::extreme;
 use plane_hit::{Object, Shape, Texture};
 use ray_casting::Camera;
 use rayon::prelude::*;
-use reflection::{MAX_DEPTH, MIN_THROUGHPUT, Mirror, PathBudget};
-use refraction::{Material, Optics, refract_or_reflect};
+use reflection::{MAX_DEPTH, PathBudget};
+use refraction::{Material, Optics};
 use shading::Phong;
-use shadow_acne::{
-    SpawnRay, from_eye, from_surface, with_fixed_offset, with_scaled_offset,
-    without_offset,
-};
 use shadows::{PointLight, Scene};
 use stages::STAGES;
+use stages::fuzz::check;
+use stages::tracers::{Tracer, budgeted};
 use transparency::Absorbing;
 
-const SIZE: UVec2 = UVec2::new(8, 6);
-
-/// A chapter's picture of a scene.
-type Chapter = fn(&Scene<Absorbing>, Camera, PathBudget) -> Picture;
-
-fn reflection(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) -> Picture {
-    let scene = scene.clone().map(|Absorbing { material, .. }| Mirror {
-        phong: material.phong,
-        reflectivity: match material.optics {
-            Optics::Opaque { reflectivity } => reflectivity,
-            Optics::Dielectric { .. } => 1.0,
-        },
-    });
-    Picture::new(move |pixel| {
-        ::reflection::trace(&scene, &camera.ray(pixel.centre()), budget)
-    })
-}
-
-fn refraction(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) -> Picture {
-    let scene = scene.clone().map(|absorbing| absorbing.material);
-    Picture::new(move |pixel| {
-        let ray = camera.ray(pixel.centre());
-        ::refraction::trace(&scene, &ray, budget, refract_or_reflect)
-    })
-}
-
-fn with_fresnel(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) -> Picture {
-    let scene = scene.clone().map(|absorbing| absorbing.material);
-    Picture::new(move |pixel| {
-        ::fresnel::trace(&scene, &camera.ray(pixel.centre()), budget, fresnel)
-    })
-}
-
-fn spawned_by(
-    spawn: SpawnRay,
-    scene: &Scene<Absorbing>,
-    camera: Camera,
-    budget: PathBudget,
-) -> Picture {
-    let scene = scene.clone().map(|absorbing| absorbing.material);
-    Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
-        ::shadow_acne::trace(&scene, &ray, budget, spawn)
-    })
-}
-
-fn transparency(scene: &Scene<Absorbing>, camera: Camera, budget: PathBudget) -> Picture {
-    let scene = scene.clone();
-    Picture::new(move |pixel| {
-        ::transparency::trace(
-            &scene,
-            &from_eye(&scene.objects, camera.ray(pixel.centre())),
-            budget,
-            ::transparency::between_media,
-        )
-    })
-}
-
-/// The chapters whose rays never branch.
-const UNBRANCHED: [(&str, Chapter); 2] =
-    [("reflection", reflection), ("refraction", refraction)];
-
-/// The chapters whose rays branch at an interface: the two that are right at any size, and others, which take
-/// turns.
-const BRANCHED: [(&str, Chapter); 6] = [
-    ("from surface", |scene, camera, budget| {
-        spawned_by(from_surface, scene, camera, budget)
-    }),
-    ("transparency", transparency),
-    ("fresnel", with_fresnel),
-    ("without offset", |scene, camera, budget| {
-        spawned_by(without_offset, scene, camera, budget)
-    }),
-    ("fixed offset", |scene, camera, budget| {
-        spawned_by(with_fixed_offset, scene, camera, budget)
-    }),
-    ("scaled offset", |scene, camera, budget| {
-        spawned_by(with_scaled_offset, scene, camera, budget)
-    }),
-];
-
-/// At most a camera ray and `MAX_DEPTH` more where rays never branch. Where they do, the throughputs of one pixel's
-/// rays at any depth add up to 1 at most, and each is more than `MIN_THROUGHPUT`: fewer than 2048 of them. From
-/// every hit there is one more ray to each light.
+/// A million of them, sixteen minutes' worth, are `cargo bench --bench fuzz`.
 #[test]
 fn every_pixel_of_any_scene_is_finite_and_done_with_in_time() {
-    let depth = u64::from(MAX_DEPTH);
-    let widest = (1.0 / MIN_THROUGHPUT) as u64;
-    (0..10_000_u32).into_par_iter().for_each(|seed| {
-        let (scene, camera) = extreme(seed);
-        let check = |(name, chapter): (&str, Chapter), most: u64| {
-            let picture = chapter(&scene, camera, PathBudget::new(MAX_DEPTH));
-            let canvas = Canvas::render(&picture, SIZE);
-            let is_finite = canvas.radiance.iter().all(|radiance| radiance.is_finite());
-            assert!(is_finite, "{name}, scene {seed}");
-            let pixels = u64::from(SIZE.x * SIZE.y);
-            let most = most * pixels * (1 + scene.lights.len() as u64);
-            assert!(canvas.rays <= most, "{name}, scene {seed}: {}", canvas.rays);
-        };
-        for chapter in UNBRANCHED {
-            check(chapter, 1 + depth);
-        }
-        let other = BRANCHED[2 + seed as usize % 4];
-        for chapter in [BRANCHED[0], BRANCHED[1], other] {
-            check(chapter, 1 + depth * widest);
-        }
-    });
-}
-
-/// All chapters that follow rays.
-fn chapters() -> impl Iterator<Item = (&'static str, Chapter)> {
-    UNBRANCHED.into_iter().chain(BRANCHED)
+    (0..10_000_u32).into_par_iter().for_each(check);
 }
 
 /// Returns the number of rays of a single pixel between two mirrors that face each other,
 /// without a light.
-fn rays_between_mirrors(chapter: Chapter, reflectivity: f32, depth: u32) -> u64 {
+fn rays_between_mirrors(tracer: Tracer, reflectivity: f32, depth: u32) -> u64 {
     let phong = Phong {
         colour: Texture::Solid(Vec3::ONE),
         ambient: 0.1,
@@ -161,16 +49,16 @@ fn rays_between_mirrors(chapter: Chapter, reflectivity: f32, depth: u32) -> u64 
         background: Vec3::ZERO,
     };
     let camera = Camera::new(Vec3::ZERO, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
-    let picture = chapter(&scene, camera, PathBudget::new(depth));
+    let picture = tracer(&scene, camera, PathBudget::new(depth));
     Canvas::render(&picture, UVec2::ONE).rays
 }
 
 /// Nothing is lost between perfect mirrors, and only the depth ends it: one camera ray, and one for each bounce.
 #[test]
 fn between_perfect_mirrors_the_depth_ends_the_recursion() {
-    for (name, chapter) in chapters() {
+    for (name, tracer) in budgeted() {
         for depth in 0..=MAX_DEPTH {
-            let rays = rays_between_mirrors(chapter, 1.0, depth);
+            let rays = rays_between_mirrors(tracer, 1.0, depth);
             assert_eq!(rays, u64::from(depth) + 1, "{name}");
         }
     }
@@ -179,8 +67,8 @@ fn between_perfect_mirrors_the_depth_ends_the_recursion() {
 /// Of half the light at each bounce 2⁻¹⁰ are left after ten: more than `MIN_THROUGHPUT`, which 2⁻¹¹ is not.
 #[test]
 fn between_half_mirrors_the_throughput_ends_the_recursion() {
-    for (name, chapter) in chapters() {
-        assert_eq!(rays_between_mirrors(chapter, 0.5, MAX_DEPTH), 11, "{name}");
+    for (name, tracer) in budgeted() {
+        assert_eq!(rays_between_mirrors(tracer, 0.5, MAX_DEPTH), 11, "{name}");
     }
 }
 
@@ -216,8 +104,8 @@ fn a_light_in_the_very_point_that_is_seen_gives_no_light() {
         };
         let eye = 4.0 * Vec3::NEG_Z;
         let camera = Camera::new(eye, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
-        for (name, chapter) in chapters() {
-            let picture = chapter(&scene, camera, PathBudget::new(MAX_DEPTH));
+        for (name, tracer) in budgeted() {
+            let picture = tracer(&scene, camera, PathBudget::new(MAX_DEPTH));
             let radiance = Canvas::render(&picture, UVec2::ONE).radiance[0];
             assert_eq!(radiance, Vec3::splat(0.1), "{name}: a light at {distance}");
         }

@@ -40,6 +40,14 @@ impl Random {
         from + self.f32() * (to - from)
     }
 
+    /// Returns a number from `least` to `greatest`, both positive: all orders of magnitude
+    /// between them are about equally likely.
+    pub fn magnitude(&mut self, least: f32, greatest: f32) -> f32 {
+        // A positive number's bits, as an integer, are nearly its logarithm.
+        let [least, greatest] = [least, greatest].map(f32::to_bits);
+        f32::from_bits(least + (self.f64() * f64::from(greatest - least)) as u32)
+    }
+
     /// Returns true or false.
     pub fn bool(&mut self) -> bool {
         self.bits() >> 31 == 1

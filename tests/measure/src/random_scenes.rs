@@ -203,53 +203,72 @@ pub fn overlapping(seed: u32) -> (Scene<Absorbing>, Camera) {
         camera.expect("it looks ahead, not up"),
     )
 }
+/// The greatest size of a coordinate of extreme scenes.
+const MAX_COORDINATE: f32 = 1e15;
+/// The least and the greatest radius of their spheres, and focal length of their cameras.
+const SIZES: (f32, f32) = (1e-15, 1e15);
 
 /// Returns an extreme scene and a camera: up to five spheres that overlap, touch and contain
-/// each other, and planes; mirrors and glass; all of it small or large, near or far from the
-/// origin, with the camera and the lights outside, inside and on the surfaces.
+/// each other, and planes; mirrors and glass; all of it of any size and anywhere, over the
+/// whole range of coordinates, radii and focal lengths, with the camera and the lights outside,
+/// inside and on the surfaces.
 ///
 /// # Panics
 /// Never: all shapes and the camera are valid.
 #[must_use]
 pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
     let random = &mut Random::new(seed);
-    let scale = random.pick(&[1.0, 1.0, 1.0, 1.0, 1e-3, 1e3, 1e6]);
-    let away = random.pick(&[0.0, 0.0, 0.0, 0.0, 1.0, 1e3, 1e6]) * random.direction();
-    let at = |p: DVec3| (scale * (p + away)).as_vec3();
+    let any = any_size(random);
+    let scale = random.pick(&[1.0, 1.0, 1.0, 1.0, 1e-3, 1e3, 1e6, any]);
+    let any = any_size(random);
+    let away =
+        random.pick(&[0.0, 0.0, 0.0, 0.0, 1.0, 1e3, 1e6, any]) * random.direction();
+    let at = |p: DVec3| {
+        let limit = DVec3::splat(f64::from(MAX_COORDINATE));
+        (scale * (p + away)).clamp(-limit, limit).as_vec3()
+    };
+    let size = |radius: f64| {
+        let (least, greatest) = SIZES;
+        (scale * radius).clamp(f64::from(least), f64::from(greatest)) as f32
+    };
 
-    let (mut shapes, mut balls) = (Vec::new(), Vec::new());
-    let (mut centre, mut radius) = (DVec3::ZERO, 1.0);
+    let mut solids: Vec<Solid> = Vec::new();
+    let mut last = (DVec3::ZERO, 1.0);
     for _ in 0..1 + random.index(5) {
-        let next = next_shape(centre, radius, random);
-        (centre, radius) = next.ball;
-        balls.push(next.ball);
-        shapes.push(match next.plane {
-            Some((point, normal)) => Shape::plane(at(point), normal.as_vec3()),
-            None => Shape::sphere(at(centre), (scale * radius) as f32),
-        });
-        // A sphere in a sphere in a sphere: f32 still resolves it beside its centre.
-        radius = if radius < 1e-3 { 1e-3 } else { radius };
+        let next = next_solid(last, random);
+        if let Solid::Ball(centre, radius) = next {
+            // A sphere in a sphere in a sphere: f32 still resolves it beside its centre.
+            last = (centre, if radius < 1e-3 { 1e-3 } else { radius });
+        }
+        solids.push(next);
     }
-    let objects = shapes.into_iter().map(|shape| Object {
+    let objects = solids.iter().map(|solid| Object {
         name: "",
-        shape,
+        shape: match *solid {
+            Solid::Ball(centre, radius) => Shape::sphere(at(centre), size(radius)),
+            Solid::Below(point, normal) => Shape::plane(at(point), normal.as_vec3()),
+        },
         material: material(random),
     });
     let objects = objects.collect();
 
-    let eye = position(&balls, DVec3::ZERO, random);
+    let eye = position(&solids, DVec3::ZERO, random);
     // At the first sphere, unless the eye is inside.
-    let (first, first_radius) = balls[0];
-    let forward = if random.bool() && eye.distance(first) > first_radius {
-        (first - eye).normalize()
-    } else {
-        random.direction()
+    let forward = match solids[0] {
+        Solid::Ball(first, radius) if random.bool() && eye.distance(first) > radius => {
+            (first - eye).normalize()
+        }
+        _ => random.direction(),
     };
     let up = forward.any_orthonormal_vector().as_vec3();
-    let focal_length = random.between(0.3, 3.0);
+    let focal_length = if random.chance(0.8) {
+        random.between(0.3, 3.0)
+    } else {
+        random.magnitude(SIZES.0, SIZES.1)
+    };
     let camera = Camera::new(at(eye), forward.as_vec3(), up, focal_length);
     let lights = (0..random.index(3)).map(|_| PointLight {
-        position: at(position(&balls, eye, random)),
+        position: at(position(&solids, eye, random)),
         intensity: random.between(0.0, 2.0),
     });
     let scene = Scene {
@@ -260,61 +279,67 @@ pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
     (scene, camera.expect("its directions are orthonormal"))
 }
 
-/// The next shape of an extreme scene.
-struct Next {
-    /// Centre and radius of the sphere, or of the one before, where it is a plane.
-    ball: (DVec3, f64),
-    /// The plane's point and normal.
-    plane: Option<(DVec3, DVec3)>,
+/// Returns a size or a distance of any order of magnitude.
+fn any_size(random: &mut Random) -> f64 {
+    f64::from(random.magnitude(SIZES.0, SIZES.1))
 }
 
-fn next_shape(centre: DVec3, radius: f64, random: &mut Random) -> Next {
+/// A shape of an extreme scene, before it is scaled and moved.
+#[derive(Clone, Copy)]
+enum Solid {
+    /// The sphere with this centre and radius.
+    Ball(DVec3, f64),
+    /// The plane through this point, with this normal.
+    Below(DVec3, DVec3),
+}
+
+fn next_solid((centre, radius): (DVec3, f64), random: &mut Random) -> Solid {
     let out = random.direction();
     let r = match random.index(5) {
         0..=2 => f64::from(random.between(0.3, 2.0)),
         3 => f64::from(random.between(0.01, 0.3)),
         _ => random.pick(&[1e-3, 1.0, 10.0]),
     };
-    let sphere = |centre, radius| Next {
-        ball: (centre, radius),
-        plane: None,
-    };
-    let plane = |point| Next {
-        ball: (centre, radius),
-        plane: Some((point, out)),
-    };
-    match random.index(10) {
+    match random.index(11) {
         // At any position.
-        0..=2 => sphere(f64::from(random.between(0.0, 4.0)) * out, r),
+        0..=2 => Solid::Ball(f64::from(random.between(0.0, 4.0)) * out, r),
         // Its centre on the surface of the one before.
-        3 => sphere(centre + radius * out, r),
+        3 => Solid::Ball(centre + radius * out, r),
         // Touching that one in a point, from outside.
-        4 => sphere(centre + (radius + r) * out, r),
+        4 => Solid::Ball(centre + (radius + r) * out, r),
         // Concentric; with a factor of 1, the very same sphere.
-        5 => sphere(centre, random.pick(&[0.2, 0.9, 0.999_999, 1.0]) * radius),
+        5 => Solid::Ball(centre, random.pick(&[0.2, 0.9, 0.999_999, 1.0]) * radius),
         // Touching it in a point, from inside.
         6 => {
             let factor = f64::from(random.between(0.1, 0.9));
-            sphere(centre + (1.0 - factor) * radius * out, factor * radius)
+            Solid::Ball(centre + (1.0 - factor) * radius * out, factor * radius)
         }
-        7 => plane(centre + radius * out),
-        8 => plane(centre),
+        // Touching it, or through its centre; level or tilted.
+        7 => Solid::Below(centre + radius * out, out),
+        8 => Solid::Below(centre, random.pick(&[out, DVec3::Y])),
         // Very far away, and very large.
-        _ => sphere(1e6 * out, 3e5),
+        9 => Solid::Ball(1e6 * out, 3e5),
+        // Of any size, anywhere.
+        _ => Solid::Ball(any_size(random) * out, any_size(random)),
     }
 }
 
 /// Returns the position of the camera or a light.
-fn position(balls: &[(DVec3, f64)], eye: DVec3, random: &mut Random) -> DVec3 {
+fn position(solids: &[Solid], eye: DVec3, random: &mut Random) -> DVec3 {
     let out = random.direction();
-    match random.index(8) {
+    match random.index(9) {
         0..=2 => f64::from(random.between(0.0, 6.0)) * out,
-        // In a sphere, from its centre to its surface.
-        3..=5 => {
-            let (centre, radius) = random.pick(balls);
-            centre + random.pick(&[0.0, 0.5, 0.999_999, 1.0]) * radius * out
-        }
+        // In a sphere, from its centre to its surface; in a plane.
+        3..=5 => match random.pick(solids) {
+            Solid::Ball(centre, radius) => {
+                centre + random.pick(&[0.0, 0.5, 0.999_999, 1.0]) * radius * out
+            }
+            Solid::Below(point, normal) => {
+                point + f64::from(random.between(0.0, 6.0)) * out.reject_from(normal)
+            }
+        },
         6 => 1e6 * out,
+        7 => any_size(random) * out,
         _ => eye,
     }
 }
@@ -347,7 +372,7 @@ fn material(random: &mut Random) -> Absorbing {
     };
     let eta = |random: &mut Random| {
         if random.bool() {
-            random.pick(&[1.0, 1.5, 3.0])
+            random.pick(&[0.1, 1.0, 1.5, 3.0, 10.0])
         } else {
             random.between(1.0, 3.0)
         }

@@ -1,5 +1,8 @@
 //! The chapters, in the order of the book.
 
+pub mod fuzz;
+pub mod tracers;
+
 use canvas::Stage;
 
 /// Every chapter's stage, in the order of the book. The book and the tests of all chapters
