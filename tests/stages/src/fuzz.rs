@@ -6,7 +6,7 @@ use glam::UVec2;
 use measure::random_scenes::extreme;
 use reflection::{MAX_DEPTH, MIN_THROUGHPUT, PathBudget};
 
-const SIZE: UVec2 = UVec2::new(8, 6);
+const SIZE: UVec2 = UVec2::new(4, 3);
 
 /// The most rays of a plan's sample, shadow rays aside, as the plan has it.
 const MAX_PLANNED: u64 = 1 << 10;
