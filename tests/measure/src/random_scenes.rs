@@ -3,10 +3,10 @@
 use crate::Random;
 use glam::{DVec3, Vec3};
 use plane_hit::{Object, Shape, Texture};
-use ray_casting::Camera;
+use ray_casting::{Camera, MAX_LENGTH};
 use refraction::{Material, Optics};
 use shading::Phong;
-use shadows::{PointLight, Scene};
+use shadows::{CoincidentSurfaces, PointLight, Scene};
 use transparency::Absorbing;
 
 /// Returns an ordinary scene and a camera that looks at it: balls of plastic, mirror and glass,
@@ -203,33 +203,39 @@ pub fn overlapping(seed: u32) -> (Scene<Absorbing>, Camera) {
         camera.expect("it looks ahead, not up"),
     )
 }
-/// The greatest size of a coordinate of extreme scenes.
-const MAX_COORDINATE: f32 = 1e15;
-/// The least and the greatest radius of their spheres, and focal length of their cameras.
-const SIZES: (f32, f32) = (1e-15, 1e15);
 
 /// Returns an extreme scene and a camera: up to five spheres that overlap, touch and contain
 /// each other, and planes; mirrors and glass; all of it of any size and anywhere, over the
-/// whole range of coordinates, radii and focal lengths, with the camera and the lights outside,
-/// inside and on the surfaces.
+/// whole range of [`MAX_LENGTH`], with the camera and the lights outside, inside and on the
+/// surfaces.
 ///
 /// # Panics
 /// Never: all shapes and the camera are valid.
 #[must_use]
 pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
     let random = &mut Random::new(seed);
-    let any = any_size(random);
+    // A scene of two surfaces at one place is no scene.
+    std::iter::repeat_with(|| extreme_or_coincident(random))
+        .find_map(Result::ok)
+        .expect("some scene")
+}
+
+fn extreme_or_coincident(
+    random: &mut Random,
+) -> Result<(Scene<Absorbing>, Camera), CoincidentSurfaces> {
+    let any = any_length(random);
     let scale = random.pick(&[1.0, 1.0, 1.0, 1.0, 1e-3, 1e3, 1e6, any]);
-    let any = any_size(random);
+    let any = any_length(random);
     let away =
         random.pick(&[0.0, 0.0, 0.0, 0.0, 1.0, 1e3, 1e6, any]) * random.direction();
     let at = |p: DVec3| {
-        let limit = DVec3::splat(f64::from(MAX_COORDINATE));
+        let limit = DVec3::splat(f64::from(MAX_LENGTH));
         (scale * (p + away)).clamp(-limit, limit).as_vec3()
     };
-    let size = |radius: f64| {
-        let (least, greatest) = SIZES;
-        (scale * radius).clamp(f64::from(least), f64::from(greatest)) as f32
+    let length = |radius: f64| {
+        let greatest = f64::from(MAX_LENGTH);
+        // Rounding must not leave the range.
+        (scale * radius).clamp(1.000_001 / greatest, greatest) as f32
     };
 
     let mut solids: Vec<Solid> = Vec::new();
@@ -245,7 +251,7 @@ pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
     let objects = solids.iter().map(|solid| Object {
         name: "",
         shape: match *solid {
-            Solid::Ball(centre, radius) => Shape::sphere(at(centre), size(radius)),
+            Solid::Ball(centre, radius) => Shape::sphere(at(centre), length(radius)),
             Solid::Below(point, normal) => Shape::plane(at(point), normal.as_vec3()),
         },
         material: material(random),
@@ -264,24 +270,27 @@ pub fn extreme(seed: u32) -> (Scene<Absorbing>, Camera) {
     let focal_length = if random.chance(0.8) {
         random.between(0.3, 3.0)
     } else {
-        random.magnitude(SIZES.0, SIZES.1)
+        random.magnitude(1.0 / MAX_LENGTH, MAX_LENGTH)
     };
     let camera = Camera::new(at(eye), forward.as_vec3(), up, focal_length);
-    let lights = (0..random.index(3)).map(|_| PointLight {
-        position: at(position(&solids, eye, random)),
-        intensity: random.between(0.0, 2.0),
+    let lights = (0..random.index(3)).map(|_| {
+        let position = at(position(&solids, eye, random));
+        let intensity = if random.chance(0.9) {
+            random.between(0.0, 2.0)
+        } else {
+            random.magnitude(1.0 / MAX_LENGTH, MAX_LENGTH)
+        };
+        PointLight::new(position, intensity).expect("a valid light")
     });
-    let scene = Scene {
-        lights: lights.collect(),
-        objects,
-        background: Vec3::from_array([(); 3].map(|()| fraction(random))),
-    };
-    (scene, camera.expect("its directions are orthonormal"))
+    let lights = lights.collect();
+    let background = Vec3::from_array([(); 3].map(|()| fraction(random)));
+    let scene = Scene::new(objects, lights, background)?;
+    Ok((scene, camera.expect("its directions are orthonormal")))
 }
 
 /// Returns a size or a distance of any order of magnitude.
-fn any_size(random: &mut Random) -> f64 {
-    f64::from(random.magnitude(SIZES.0, SIZES.1))
+fn any_length(random: &mut Random) -> f64 {
+    f64::from(random.magnitude(1.0 / MAX_LENGTH, MAX_LENGTH))
 }
 
 /// A shape of an extreme scene, before it is scaled and moved.
@@ -307,8 +316,8 @@ fn next_solid((centre, radius): (DVec3, f64), random: &mut Random) -> Solid {
         3 => Solid::Ball(centre + radius * out, r),
         // Touching that one in a point, from outside.
         4 => Solid::Ball(centre + (radius + r) * out, r),
-        // Concentric; with a factor of 1, the very same sphere.
-        5 => Solid::Ball(centre, random.pick(&[0.2, 0.9, 0.999_999, 1.0]) * radius),
+        // Concentric.
+        5 => Solid::Ball(centre, random.pick(&[0.2, 0.9, 0.999_999]) * radius),
         // Touching it in a point, from inside.
         6 => {
             let factor = f64::from(random.between(0.1, 0.9));
@@ -320,7 +329,7 @@ fn next_solid((centre, radius): (DVec3, f64), random: &mut Random) -> Solid {
         // Very far away, and very large.
         9 => Solid::Ball(1e6 * out, 3e5),
         // Of any size, anywhere.
-        _ => Solid::Ball(any_size(random) * out, any_size(random)),
+        _ => Solid::Ball(any_length(random) * out, any_length(random)),
     }
 }
 
@@ -339,7 +348,7 @@ fn position(solids: &[Solid], eye: DVec3, random: &mut Random) -> DVec3 {
             }
         },
         6 => 1e6 * out,
-        7 => any_size(random) * out,
+        7 => any_length(random) * out,
         _ => eye,
     }
 }
@@ -365,7 +374,7 @@ fn material(random: &mut Random) -> Absorbing {
         diffuse: fraction(random),
         specular: fraction(random),
         shininess: if random.bool() {
-            random.pick(&[1, 200, 1000])
+            random.pick(&[1, 200, 100_000, u32::MAX])
         } else {
             1 + random.index(99) as u32
         },
