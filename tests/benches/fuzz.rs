@@ -2,6 +2,7 @@
 //! otherwise, in every way there is. Fails if one has a pixel that is not finite, takes more rays than
 //! there can be, or panics: each of these is named by its seed.
 
+#[allow(dead_code, reason = "the benches that measure need more of it")]
 mod common;
 
 use common::Error;
