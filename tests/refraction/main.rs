@@ -1,6 +1,7 @@
 //! The tests of the chapter `refraction`: its pictures, laws and numbers.
 
 mod agreement;
+mod critical;
 mod laws;
 mod numbers;
 

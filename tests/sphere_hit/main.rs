@@ -1,6 +1,7 @@
 //! The tests of the chapter `sphere-hit`: its pictures, laws and numbers.
 
 mod aimed;
+mod elsewhere;
 mod faults;
 mod laws;
 mod numbers;
