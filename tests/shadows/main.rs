@@ -4,6 +4,7 @@ mod agreement;
 mod faults;
 mod laws;
 mod numbers;
+mod sides;
 
 use ::shadows::STAGE;
 
