@@ -1,6 +1,7 @@
 //! The tests of the chapter `fresnel`: its pictures, laws and numbers.
 
 mod agreement;
+mod edges;
 mod laws;
 mod numbers;
 mod povray;

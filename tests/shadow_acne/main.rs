@@ -5,6 +5,7 @@ mod faults;
 mod laws;
 mod numbers;
 mod povray;
+mod tangent;
 
 use ::shadow_acne::STAGE;
 
