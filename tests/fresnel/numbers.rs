@@ -2,7 +2,7 @@
 //! under test has written them.
 
 use ::fresnel::{STAGE, fresnel, schlick};
-use harness::{HERO, Numbers, chapter, render, table};
+use harness::{HERO, Numbers, chapter, render, table, with_separators};
 
 #[test]
 #[expect(clippy::disallowed_methods, reason = "no pixel depends on it")]
@@ -20,9 +20,11 @@ fn the_numbers_are_those_in_the_book() {
             ]
         })),
     );
-    numbers.note("rays", render(&STAGE, "still-life", HERO).rays);
+    let rays = render(&STAGE, "still-life", HERO).rays;
+    numbers.note("rays", with_separators(rays));
     let before = &::refraction::STAGE;
     let anchor = format!("rays-of-{}", chapter(before).replace(' ', "-"));
-    numbers.note(&anchor, render(before, "glass", HERO).rays);
+    let rays = render(before, "glass", HERO).rays;
+    numbers.note(&anchor, with_separators(rays));
     numbers.check(STAGE.name);
 }

@@ -8,7 +8,7 @@ use ::ray_casting::scene::still_life_camera;
 use ::ray_casting::{Ray, SKY};
 use ::sphere_hit::T_MAX;
 use glam::Vec3;
-use harness::{HERO, Numbers, SMALL, percent, render, table};
+use harness::{HERO, Numbers, SMALL, percent, render, table, with_separators};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -42,10 +42,14 @@ fn the_numbers_are_those_in_the_book() {
         "objects",
         table(objects.iter().map(|object| {
             let pixels = names.iter().filter(|(name, _)| *name == object.name);
-            [object.name.to_string(), pixels.count().to_string()]
+            [
+                object.name.to_string(),
+                with_separators(pixels.count() as u64),
+            ]
         })),
     );
-    numbers.note("rays", render(&STAGE, "flat", HERO).rays);
+    let rays = render(&STAGE, "flat", HERO).rays;
+    numbers.note("rays", with_separators(rays));
 
     let [in_space, in_plane] = ["checker-in-space", "checker-in-plane"]
         .map(|view| render(&STAGE, view, SMALL).radiance);

@@ -4,7 +4,7 @@
 use ::canvas::Pixel;
 use ::ray_casting::scene::still_life_camera;
 use ::ray_casting::{SKY, STAGE};
-use harness::{HERO, Numbers, render, table, three_digits, vector};
+use harness::{HERO, Numbers, render, table, three_digits, vector, with_separators};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -21,7 +21,7 @@ fn the_numbers_are_those_in_the_book() {
         ),
     );
     let canvas = render(&STAGE, "sky-and-ground", HERO);
-    numbers.note("rays", canvas.rays);
+    numbers.note("rays", with_separators(canvas.rays));
     let last_sky = canvas
         .radiance
         .iter()

@@ -10,17 +10,19 @@ use ::reflection::{
 use ::shadows::Scene;
 use ::sphere_hit::Sphere;
 use glam::Vec3;
-use harness::{HERO, Numbers, chapter, render, table, three_digits};
+use harness::{HERO, Numbers, chapter, render, table, three_digits, with_separators};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
     numbers.note("growth", growth());
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
-    numbers.note("rays", render(&STAGE, "bouncing", HERO).rays);
+    let rays = render(&STAGE, "bouncing", HERO).rays;
+    numbers.note("rays", with_separators(rays));
     let before = &::shading::STAGE;
     let anchor = format!("rays-of-{}", chapter(before).replace(' ', "-"));
-    numbers.note(&anchor, render(before, "combined", HERO).rays);
+    let rays = render(before, "combined", HERO).rays;
+    numbers.note(&anchor, with_separators(rays));
     numbers.check(STAGE.name);
 }
 

@@ -10,7 +10,7 @@ use ::refraction::scene::{AIR, GLASS, close_up, still_life_with_glass};
 use ::refraction::{Interface, Optics, STAGE, refract, refract_or_reflect, spawn_ray};
 use ::shadows::Interaction;
 use glam::Vec3;
-use harness::{HERO, Numbers, table, vector};
+use harness::{HERO, Numbers, table, vector, with_separators};
 
 const DIAMOND: f32 = 2.42;
 
@@ -39,14 +39,15 @@ fn the_numbers_are_those_in_the_book() {
     let still_life = still_life_camera();
     let ball = total_reflections(GLASS, AIR, &still_life)
         + total_reflections(GLASS, AIR, &close_up());
-    numbers.note("total-ball", ball);
-    numbers.note("total-bubble", total_reflections(AIR, GLASS, &close_up()));
+    numbers.note("total-ball", with_separators(ball));
+    let bubble = total_reflections(AIR, GLASS, &close_up());
+    numbers.note("total-bubble", with_separators(bubble));
     numbers.check(STAGE.name);
 }
 
 /// Returns the number of a picture's camera rays that are totally reflected on their path
 /// through glass.
-fn total_reflections(eta_inside: f32, eta_outside: f32, camera: &Camera) -> usize {
+fn total_reflections(eta_inside: f32, eta_outside: f32, camera: &Camera) -> u64 {
     let objects = still_life_with_glass(eta_inside, eta_outside).objects;
     let is_totally_reflected = |pixel: &Pixel| {
         let mut ray = camera.ray(pixel.centre());
@@ -67,5 +68,5 @@ fn total_reflections(eta_inside: f32, eta_outside: f32, camera: &Camera) -> usiz
         }
         false
     };
-    Pixel::all(HERO).filter(is_totally_reflected).count()
+    Pixel::all(HERO).filter(is_totally_reflected).count() as u64
 }

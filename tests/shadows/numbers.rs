@@ -11,7 +11,10 @@ use ::shadows::{
     Interaction, PointLight, STAGE, Scene, is_visible, is_visible_buggy, trace,
 };
 use glam::Vec3;
-use harness::{HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table};
+use harness::{
+    HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table,
+    with_separators,
+};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -22,7 +25,11 @@ fn the_numbers_are_those_in_the_book() {
     let differing = buggy.iter().zip(&cured).filter(|(a, b)| a != b).count();
     numbers.note(
         "differing-beyond",
-        format!("{differing} of {}", cured.len()),
+        format!(
+            "{} of {}",
+            with_separators(differing as u64),
+            with_separators(cured.len() as u64)
+        ),
     );
     numbers.note("exact-radius", format!("{:.4}", 1.25_f64.sqrt()));
     let scales = [1e-3, 1e-2, 0.1, 1.0, 1e3];
@@ -51,7 +58,8 @@ fn differing_still_life() -> String {
         let ray = camera.ray(pixel.centre());
         trace(&scene, &ray, is_visible) != trace(&scene, &ray, is_visible_buggy)
     });
-    format!("{} of {}", differing.count(), HERO.x * HERO.y)
+    let [differing, all] = [differing.count() as u64, u64::from(HERO.x * HERO.y)];
+    format!("{} of {}", with_separators(differing), with_separators(all))
 }
 
 /// Returns the radius of the shadow of a ball of radius `scale` on a floor, by a light 10

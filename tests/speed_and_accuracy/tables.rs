@@ -1,6 +1,6 @@
 //! The files of measurements.
 
-use speed_and_accuracy::table::{Measurement, Table, three_digits};
+use speed_and_accuracy::table::{Measurement, Table, for_readers, three_digits};
 
 #[test]
 fn a_number_has_three_digits() {
@@ -18,6 +18,23 @@ fn a_number_has_three_digits() {
         (f64::INFINITY, "inf"),
     ] {
         assert_eq!(three_digits(number), written);
+    }
+}
+
+#[test]
+fn a_number_is_written_as_by_hand() {
+    for (number, written) in [
+        (0.0, "0"),
+        (4.45, "4.45"),
+        (-2.5, "−2.5"),
+        (999.4, "999"),
+        (999.6, "1,000"),
+        (307_000.0, "307,000"),
+        (1.13e6, "1.13\u{a0}×\u{a0}10⁶"),
+        (1.2e-7, "1.2\u{a0}×\u{a0}10⁻⁷"),
+        (f64::INFINITY, "∞"),
+    ] {
+        assert_eq!(for_readers(number), written);
     }
 }
 

@@ -4,7 +4,7 @@
 use ::stages::STAGES;
 use canvas::{Canvas, Knob, Scale, Stage, View};
 use glam::UVec2;
-use harness::{Numbers, cases, three_digits};
+use harness::{Numbers, cases, three_digits, with_separators};
 use proptest::prelude::*;
 
 fn views() -> impl Iterator<Item = (&'static Stage, &'static View)> {
@@ -95,7 +95,13 @@ fn every_chapter_traces_as_many_rays_as_the_book_says() {
         let view = stage.hero();
         let rays = Canvas::render(&(view.picture)(view.default_setting()), size).rays;
         let per_pixel = three_digits(rays as f64 / f64::from(size.x * size.y));
-        (rays > 0).then(|| format!("| {} | {rays} | {per_pixel} |", stage.name))
+        (rays > 0).then(|| {
+            format!(
+                "| {} | {} | {per_pixel} |",
+                stage.name,
+                with_separators(rays)
+            )
+        })
     };
     let rows = |stages: &[&Stage]| {
         let rows: Vec<String> = stages.iter().copied().filter_map(row).collect();

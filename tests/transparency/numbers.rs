@@ -6,7 +6,9 @@ use ::transparency::scene::AMBER;
 use ::transparency::{STAGE, transmittance};
 use canvas::Stage;
 use glam::Vec3;
-use harness::{HERO, Numbers, chapter, render, render_at, table, three_digits};
+use harness::{
+    HERO, Numbers, chapter, render, render_at, table, three_digits, with_separators,
+};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -29,7 +31,7 @@ fn the_numbers_are_those_in_the_book() {
     };
     numbers.note("shadow-levels", levels(&STAGE));
     numbers.note("shadow-levels-before", levels(&LAST_STAGE));
-    let row = |name: String, rays: u64| [name, rays.to_string()];
+    let row = |name: String, rays: u64| [name, with_separators(rays)];
     let before = render(&LAST_STAGE, "still-life", HERO).rays;
     let mut rows = vec![row(chapter(&LAST_STAGE), before)];
     for absorption in [0.0, 1.0, 4.0] {

@@ -4,7 +4,7 @@ use mdbook_preprocessor::errors::{Error, Result};
 use speed_and_accuracy::STUDIES;
 use speed_and_accuracy::chart::Quantity;
 use speed_and_accuracy::study::Study;
-use speed_and_accuracy::table::{Table, three_digits};
+use speed_and_accuracy::table::{Table, for_readers};
 
 /// Returns every study.
 pub fn studies() -> impl Iterator<Item = &'static Study> {
@@ -65,39 +65,9 @@ pub fn measured(reference: &str) -> Result<String> {
     number().map(for_readers).map_err(problem)
 }
 
-/// Returns a number as the table has it, but with its power of ten as we write it by hand.
-fn for_readers(number: f64) -> String {
-    if number.is_infinite() {
-        return "∞".to_string();
-    }
-    let digits = three_digits(number);
-    match digits.split_once('e') {
-        Some((digits, exponent)) => {
-            // No line breaks within it.
-            let exponent = exponent.replace('-', "−");
-            format!("{digits}\u{a0}×\u{a0}10<sup>{exponent}</sup>")
-        }
-        None => digits,
-    }
-}
-
 #[cfg(test)]
 mod a_number {
     use super::{for_readers, measured, studies};
-
-    #[test]
-    fn is_written_as_by_hand() {
-        for (number, written) in [
-            (0.0, "0"),
-            (4.45, "4.45"),
-            (307_000.0, "307000"),
-            (1.13e6, "1.13\u{a0}×\u{a0}10<sup>6</sup>"),
-            (1.2e-7, "1.2\u{a0}×\u{a0}10<sup>−7</sup>"),
-            (f64::INFINITY, "∞"),
-        ] {
-            assert_eq!(for_readers(number), written);
-        }
-    }
 
     #[test]
     fn is_found_in_every_cell_that_is_not_empty() {

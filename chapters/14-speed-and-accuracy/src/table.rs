@@ -1,5 +1,6 @@
 //! A study's measurements, and the file of comma-separated values that keeps them.
 
+pub use crate::digits::{for_readers, three_digits};
 use serde::{Deserialize, Serialize, Serializer};
 use std::io;
 
@@ -87,15 +88,4 @@ fn rounded<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(&(*x).into().map_or_else(String::new, three_digits))
-}
-
-/// Returns a number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.
-#[must_use]
-pub fn three_digits(x: f64) -> String {
-    let rounded: f64 = format!("{x:.2e}").parse().expect("a number just written");
-    if rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs()) || !rounded.is_finite() {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
 }

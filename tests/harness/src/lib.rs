@@ -10,7 +10,9 @@ mod rounding;
 mod snapshots;
 
 pub use inputs::{cases, evenly, magnitude, special, special_vector, unit_vector};
-pub use numbers::{Numbers, edge_of_shadow, percent, table, three_digits, vector};
+pub use numbers::{
+    Numbers, edge_of_shadow, percent, table, three_digits, vector, with_separators,
+};
 pub use pictures::{
     HERO, SMALL, chapter, check_threads, largest_difference, ray_counts, render,
     render_at,

@@ -3,6 +3,12 @@
 
 use crate::snapshots::advice;
 use similar::TextDiff;
+
+// The numbers of tests are written as those of the studies are; no chapter is built for it.
+#[path = "../../../chapters/14-speed-and-accuracy/src/digits.rs"]
+mod digits;
+
+pub use digits::{for_readers as three_digits, with_separators};
 use std::fmt::{Display, Write};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -75,18 +81,6 @@ pub fn percent(part: usize, whole: usize) -> String {
         "{}\u{a0}%",
         three_digits(100.0 * part as f64 / whole as f64)
     )
-}
-
-/// Returns a number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.
-#[must_use]
-pub fn three_digits(x: f64) -> String {
-    let rounded = format!("{x:.2e}");
-    let value: f64 = rounded.parse().expect("a number just written");
-    if value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
-        value.to_string()
-    } else {
-        rounded
-    }
 }
 
 /// Returns the rows of a Markdown table.

@@ -1,6 +1,6 @@
 //! Pictures of a chapter's views, and the rays that they take.
 
-use crate::{bits, table};
+use crate::{bits, table, with_separators};
 use canvas::{Canvas, Picture, Stage};
 use glam::{UVec2, Vec3};
 
@@ -52,7 +52,8 @@ pub fn ray_counts<'a>(stage: &Stage, views: impl IntoIterator<Item = &'a str>) -
     table(views.into_iter().map(|view| {
         let rays = render(stage, view, HERO).rays;
         let shadow_rays = rays - u64::from(HERO.x * HERO.y);
-        [view.to_string(), rays.to_string(), shadow_rays.to_string()]
+        let [rays, shadow_rays] = [rays, shadow_rays].map(with_separators);
+        [view.to_string(), rays, shadow_rays]
     }))
 }
 
