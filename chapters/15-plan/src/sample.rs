@@ -43,14 +43,14 @@ impl Plan {
     /// Returns whether further samples, of some `rays` each, would be better spent on other
     /// pixels. N stratified samples of deviation σ have an error of about σ N^(−3/4) at an
     /// edge. A picture's error is least for its rays if σ N^(−5/4) / √rays is the same in all
-    /// pixels; with 16 samples of 4 rays, that is an eighth of the error.
+    /// pixels; with 16 samples of 16 rays, that is a sixteenth of the error.
     fn is_enough(&self, samples: &[Sample], rays: f32) -> bool {
         let n = samples.len() as f32;
         let mean = mean(samples);
         let deviations = samples.iter().map(|sample| sample.radiance - mean);
         let variance = deviations.map(|d| d * d).sum::<Vec3>() / n;
         let scale = n * n.sqrt().sqrt() * rays.sqrt();
-        (0..3).all(|i| variance[i].sqrt() / scale <= self.tolerance_at(mean[i]) / 8.0)
+        (0..3).all(|i| variance[i].sqrt() / scale <= self.tolerance_at(mean[i]) / 16.0)
     }
 }
 
@@ -62,8 +62,8 @@ fn mean(samples: &[Sample]) -> Vec3 {
 
 // ANCHOR: picture
 /// The fraction of the largest radiance that pending rays are assumed to have in a picture,
-/// where only the mean of many samples counts. Found by experiment, from 1 to 1/64.
-const TYPICAL_FRACTION: f32 = 1.0 / 16.0;
+/// where only the mean of many samples counts. Found by experiment, from 1/2 to 1/16.
+const TYPICAL_FRACTION: f32 = 1.0 / 4.0;
 
 impl Plan {
     /// Returns the picture of the scene, with as many samples and rays as it needs.

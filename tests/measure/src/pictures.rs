@@ -1,7 +1,8 @@
 //! Small pictures of the book's scenes, for measurements.
 
 use crate::scenes::{Model, exact_camera};
-use anti_aliasing::regular;
+use anti_aliasing::sobol::sample_position;
+use anti_aliasing::{hash, regular};
 use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec3};
 use oracle::Limit;
@@ -42,6 +43,59 @@ pub fn exact_radiance(
     let centres: Vec<_> = oracle::pixel_centres(size).collect();
     let radiance = |&at| oracle::trace(&scene, &camera.ray(at, size), limit);
     centres.par_iter().map(radiance).collect()
+}
+
+/// Returns two means of a pixel by the oracle, each at points of its own: of 1,024 samples if
+/// these hardly differ, of 4,096 if two means of so many differ by no more than a tenth of a
+/// level, and otherwise of 16,384.
+#[must_use]
+pub fn exact_means(
+    scene: &oracle::Scene,
+    camera: &oracle::Camera,
+    pixel: Pixel,
+    limit: Limit,
+) -> [DVec3; 2] {
+    let corner = UVec2::new(pixel.x, pixel.y).as_dvec2();
+    let radiance = |seed: u32, i| {
+        // Sobol's sequence, scrambled as that of another pixel.
+        let x = hash(pixel.x ^ seed);
+        let position = sample_position(Pixel { x, ..pixel }, i);
+        let at = corner + position.as_dvec2();
+        oracle::trace(scene, &camera.ray(at, pixel.size.to_array()), limit)
+    };
+    let mut samples = [Vec::new(), Vec::new()];
+    for count in [1024, 4096, 16384] {
+        for (samples, seed) in samples.iter_mut().zip([1, 2]) {
+            let so_far = samples.len() as u32;
+            samples.extend((so_far..count).map(|i| radiance(seed, i)));
+        }
+        let means = means(&samples);
+        let [a, b] = means.map(|mean| mean.map(oracle::level));
+        let is_enough = match count {
+            1024 => samples.iter().all(|samples| range(samples) <= 4.0),
+            _ => (a - b).abs().max_element() <= 0.1,
+        };
+        if is_enough {
+            return means;
+        }
+    }
+    means(&samples)
+}
+
+fn means(samples: &[Vec<DVec3>; 2]) -> [DVec3; 2] {
+    let mean =
+        |samples: &Vec<DVec3>| samples.iter().sum::<DVec3>() / samples.len() as f64;
+    samples.each_ref().map(mean)
+}
+
+/// Returns how far the levels of samples are apart.
+fn range(samples: &[DVec3]) -> f64 {
+    let levels = samples.iter().map(|sample| sample.map(oracle::level));
+    let (least, most) = levels.fold(
+        (DVec3::INFINITY, DVec3::NEG_INFINITY),
+        |(least, most), levels| (least.min(levels), most.max(levels)),
+    );
+    (most - least).max_element()
 }
 
 /// Returns the picture of a scene by n × n samples per pixel, ray by ray.
