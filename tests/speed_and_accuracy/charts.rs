@@ -4,7 +4,9 @@ use crate::plot::axis::Axis;
 use crate::plot::{spread, svg};
 use harness::cases;
 use proptest::prelude::*;
+use speed_and_accuracy::STUDIES;
 use speed_and_accuracy::chart::{Chart, Point, Quantity, pareto_front, styles};
+use speed_and_accuracy::study::{Choice, Study};
 use speed_and_accuracy::table::{Measurement, Table};
 
 /// A chart of RMS errors against nanoseconds.
@@ -89,35 +91,49 @@ fn names_are_moved_as_little_as_can_be() {
     assert_eq!(heights, [190.0, 200.0]);
 }
 
-/// "d" is in the second chart alone, where "a" is not: it may look like "a", but not like
-/// "b" or "c".
+/// Also "d", which is in the second chart alone, and "a", which is not there.
 #[test]
-fn a_method_looks_the_same_in_all_charts_and_like_none_beside_it() {
+fn a_method_looks_the_same_in_all_charts_and_like_no_other() {
     let charts = [chart("first"), chart("second")];
     let of_first = ["a", "b", "c"].map(|method| ("first", method, 1.0, 1.0));
     let of_second = ["d", "c", "b"].map(|method| ("second", method, 1.0, 1.0));
     let table = table(&[of_first, of_second].concat());
     let styles = styles(&charts, &table);
-    let expected = [("a", 0), ("b", 1), ("c", 2), ("d", 0)];
+    let expected = [("a", 0), ("b", 1), ("c", 2), ("d", 3)];
     assert!(styles.into_iter().eq(expected));
 }
 
+/// Six colours and six marks, and after these as many with hollow marks.
 #[test]
-fn zero_and_infinity_are_on_the_edges() {
-    let axis = Axis::new(&[0.0, 2e-3, 5.0, f64::INFINITY], [100.0, 300.0]);
-    assert_eq!(axis.position(0.0), 100.0);
-    assert_eq!(axis.position(f64::INFINITY), 300.0);
-    let ticks = axis.ticks();
-    let labels: Vec<&str> = ticks.iter().map(|(label, _)| label.as_str()).collect();
-    assert_eq!(labels, ["0", "∞", "0.001", "0.01", "0.1", "1", "10"]);
-    for (label, position) in &ticks[2..] {
-        assert!((110.0..290.0).contains(position), "{label} at {position}");
+fn no_study_has_more_methods_than_there_are_styles() {
+    for study in STUDIES {
+        let table = study.table().expect("a table");
+        let styles = styles(study.charts, &table).len();
+        assert!(styles <= 12, "{}: {styles} methods", study.name);
     }
-    // Each power of ten as far from the last as that from the one before.
-    let step = ticks[3].1 - ticks[2].1;
-    for pair in ticks[2..].windows(2) {
-        assert!((pair[1].1 - pair[0].1 - step).abs() < 1e-9);
+}
+
+#[test]
+fn zero_and_infinity_are_apart_from_the_numbers() {
+    let values = [0.0, 1e-3, 10.0, f64::INFINITY];
+    for (ends, sign) in [([100.0, 300.0], 1.0), ([300.0, 100.0], -1.0)] {
+        let axis = Axis::new(&values, ends);
+        let [zero, least, most, infinity] = values.map(|x| sign * axis.position(x));
+        assert!(least - zero >= 35.9, "0 at {zero}, 0.001 at {least}");
+        assert!(infinity - most >= 35.9, "∞ at {infinity}, 10 at {most}");
+        let breaks: Vec<f64> = axis.breaks().map(|x| sign * x).collect();
+        assert!(zero < breaks[0] && breaks[0] < least, "{breaks:?}");
+        assert!(most < breaks[1] && breaks[1] < infinity, "{breaks:?}");
+        let ticks = axis.ticks();
+        let labels: Vec<&str> = ticks.iter().map(|(label, _)| label.as_str()).collect();
+        assert_eq!(labels, ["0", "∞", "0.001", "0.01", "0.1", "1", "10"]);
+        // Each power of ten as far from the last as that from the one before.
+        let step = ticks[3].1 - ticks[2].1;
+        for pair in ticks[2..].windows(2) {
+            assert!((pair[1].1 - pair[0].1 - step).abs() < 1e-9);
+        }
     }
+    assert_eq!(Axis::new(&[1.0, 5.0], [100.0, 300.0]).breaks().count(), 0);
 }
 
 #[test]
@@ -132,17 +148,33 @@ fn ticks_are_many_where_the_axis_is_short_and_few_where_it_is_long() {
     };
     assert_eq!(labels(&[9.0, 15.0]), "8 9 10 15");
     assert_eq!(labels(&[3e-5, 2e-4]), "5·10⁻⁵ 10⁻⁴ 2·10⁻⁴");
-    assert_eq!(labels(&[1.0, 300.0]), "1 10 100 1000");
-    assert_eq!(labels(&[1e-12, 1e6]), "10⁻¹² 10⁻⁹ 10⁻⁶ 0.001 1 1000 10⁶");
-    assert_eq!(labels(&[0.0]), "0 0.5 1 2 5 10");
+    assert_eq!(labels(&[1.0, 16.0]), "1 2 5 10 20");
+    assert_eq!(labels(&[0.6, 8.0]), "0.5 1 2 5 10");
+    assert_eq!(labels(&[1.0, 300.0]), "1 10 100 1,000");
+    assert_eq!(labels(&[1e-12, 1e6]), "10⁻¹² 10⁻⁹ 10⁻⁶ 0.001 1 1,000 10⁶");
+    assert_eq!(labels(&[0.0]), "0 1 2 5 10");
     assert_eq!(labels(&[]), "1 2 5 10");
 }
+
+/// Returns a study of one chart, that of the scene "s".
+fn study(charts: &'static [Chart]) -> Study {
+    Study {
+        name: "",
+        title: "“x” \"y\" & z",
+        measure: |_| Vec::new(),
+        chosen: &CHOSEN,
+        charts,
+    }
+}
+
+static CHARTS: [Chart; 1] = [chart("s")];
+static CHOSEN: [Choice; 1] = [Choice::at("c", 0.5)];
 
 /// The browser's parser is not asked: what would end a tag or a text is not there.
 #[test]
 fn words_are_escaped_and_nothing_is_infinite() {
     let rows = [("s", "a<b", 1.0, 0.0), ("s", "c", 3.0, f64::INFINITY)];
-    let svg = svg("“x” \"y\" & z", &[chart("s")], &table(&rows));
+    let svg = svg(&study(&CHARTS), &table(&rows));
     assert!(
         svg.contains("aria-label=\"“x” &quot;y&quot; &amp; z\""),
         "{svg}"
@@ -159,4 +191,50 @@ fn words_are_escaped_and_nothing_is_infinite() {
     assert!(!svg.contains("inf") && !svg.contains("NaN"), "{svg}");
     let dashed = svg.matches("stroke-dasharray=\"6 4\"").count();
     assert_eq!(dashed, 1, "the front, once");
+}
+
+/// Two methods of three settings each: the second setting of the second method is chosen.
+#[test]
+fn the_chosen_method_and_setting_are_marked() {
+    let row = |method, setting, ns| Measurement {
+        ns: Some(ns),
+        rms: Some(1.0 / ns),
+        ..Measurement::of("s", method, setting)
+    };
+    let settings = [0.25, 0.5, 1.0];
+    let of =
+        |method, factor| settings.map(|setting| row(method, setting, factor * setting));
+    let rows = [of("a", 10.0), of("c", 1000.0)].concat();
+    let table = Table {
+        rows,
+        ..Table::default()
+    };
+    let svg = svg(&study(&CHARTS), &table);
+    // Around the point, and around the mark beside the name.
+    assert_eq!(svg.matches("<circle").count(), 2, "{svg}");
+    let bold = svg.split("font-weight=\"bold\"").skip(1);
+    let bold: Vec<&str> = bold.filter_map(|rest| rest.split("</g>").next()).collect();
+    assert!(bold.iter().any(|text| text.contains(">c<")), "{bold:?}");
+    assert!(!bold.iter().any(|text| text.contains(">a<")), "{bold:?}");
+    for setting in ["0.25", "0.5", "1"] {
+        let labels = svg.matches(&format!(">{setting}</text>")).count();
+        assert!(labels >= 2, "{labels} labels of {setting}");
+    }
+}
+
+/// The middle point is 0: no line leads to it, and its mark is hollow.
+#[test]
+fn no_line_leads_across_a_break() {
+    let points = [
+        ("s", "a", 1.0, 2.0),
+        ("s", "a", 10.0, 0.0),
+        ("s", "a", 99.0, 3.0),
+    ];
+    let svg = svg(&study(&CHARTS), &table(&points));
+    let line = svg.lines().find(|line| line.contains("stroke-width=\"2\""));
+    let line = line.expect("a line");
+    assert_eq!(line.matches('M').count(), 3, "{line}");
+    assert!(!line.contains('L'), "{line}");
+    let hollow = svg.matches("fill=\"var(--bg, #ffffff)\"").count();
+    assert_eq!(hollow, 1, "{svg}");
 }

@@ -4,6 +4,7 @@ mod charts;
 mod check;
 #[path = "../benches/peers/found.rs"]
 mod found;
+mod lanes;
 mod maps;
 mod peers;
 #[path = "../benches/studies/plot.rs"]

@@ -57,6 +57,8 @@ pub struct Line<'a> {
     pub method: &'a str,
     /// A point for each setting, in the order of the table.
     pub points: Vec<Point>,
+    /// These settings.
+    pub settings: Vec<f64>,
 }
 
 impl Chart {
@@ -81,10 +83,14 @@ impl Chart {
             };
             let method = row.method.as_str();
             match lines.iter_mut().find(|line| line.method == method) {
-                Some(line) => line.points.push((x, y)),
+                Some(line) => {
+                    line.points.push((x, y));
+                    line.settings.push(row.setting);
+                }
                 None => lines.push(Line {
                     method,
                     points: vec![(x, y)],
+                    settings: vec![row.setting],
                 }),
             }
         }
@@ -115,26 +121,14 @@ pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
 }
 // ANCHOR_END: front
 
-/// Returns the number of each method's colour and mark: the same in all charts, and
-/// different for two methods of the same chart.
+/// Returns the number of each method's colour and mark: the same in all charts, and another
+/// for each method.
 #[must_use]
 pub fn styles<'a>(charts: &[Chart], table: &'a Table) -> BTreeMap<&'a str, usize> {
-    let methods = |chart: &Chart| {
-        let lines = chart.lines(table).into_iter();
-        lines.map(|line| line.method).collect::<Vec<_>>()
-    };
-    let charts: Vec<Vec<&str>> = charts.iter().map(methods).collect();
     let mut styles = BTreeMap::new();
-    for method in charts.concat() {
-        let beside = charts
-            .iter()
-            .filter(|chart| chart.contains(&method))
-            .flatten();
-        let taken: Vec<usize> = beside.filter_map(|m| styles.get(m).copied()).collect();
-        let free = (0..=taken.len()).find(|style| !taken.contains(style));
-        styles
-            .entry(method)
-            .or_insert(free.expect("one more than are taken"));
+    for line in charts.iter().flat_map(|chart| chart.lines(table)) {
+        let next = styles.len();
+        styles.entry(line.method).or_insert(next);
     }
     styles
 }

@@ -16,10 +16,34 @@ pub struct Study {
     pub title: &'static str,
     /// Measures everything; times only if the clock runs.
     pub measure: fn(&Clock) -> Vec<Measurement>,
+    /// What the book takes, which the charts mark.
+    pub chosen: &'static [Choice],
     /// The charts, from top to bottom.
     pub charts: &'static [Chart],
 }
+
+/// A method that the book takes.
+pub struct Choice {
+    /// Its name.
+    pub method: &'static str,
+    /// Its setting, as the table has it. `None` if the setting is that of the inputs.
+    pub setting: Option<f64>,
+}
 // ANCHOR_END: study
+
+impl Choice {
+    /// Returns the choice of a method for all inputs.
+    pub const fn of(method: &'static str) -> Self {
+        let setting = None;
+        Self { method, setting }
+    }
+
+    /// Returns the choice of a method with one of its settings.
+    pub const fn at(method: &'static str, setting: f64) -> Self {
+        let setting = Some(setting);
+        Self { method, setting }
+    }
+}
 
 impl Study {
     /// Returns the path of the study's file in the book: of its table, `csv`, or of its

@@ -52,7 +52,7 @@ const RATIOS: [[&str; 3]; 7] = [
     [BALLS, "packets", TINYRAYTRACER],
     ["still life", "packets", "one by one"],
     [SAMPLED, "packets", "one by one"],
-    [SAMPLED, "packets, 2 threads", "packets, 1 thread"],
+    [SAMPLED, "canvas, 2 threads", "canvas, 1 thread"],
 ];
 const SAMPLED: &str = "still life, 4 × 4";
 const BALLS: &str = "tinyraytracer's balls";
@@ -176,7 +176,7 @@ fn ours(folder: &Path) -> Vec<Runner<'_>> {
             })
         }));
     }
-    for (threads, name) in [(1, "packets, 1 thread"), (2, "packets, 2 threads")] {
+    for (threads, name) in [(1, "canvas, 1 thread"), (2, "canvas, 2 threads")] {
         let [_, (_, picture)] = both(plain_scene("still-life"), AS_POV_RAY, 4);
         let pool = pool(threads);
         runners.push(runner(SAMPLED, name, move || {

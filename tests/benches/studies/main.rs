@@ -1,5 +1,6 @@
-//! `cargo bench --bench studies -- [NAME…]`: measures the named studies again, or all of
-//! them, and writes their tables and charts into the book.
+//! `cargo bench --bench studies -- [--charts] [NAME…]`: measures the named studies again, or
+//! all of them, and writes their tables and charts into the book. With `--charts` it measures
+//! nothing, and draws the charts of the tables that are there.
 
 #[path = "../common.rs"]
 mod common;
@@ -18,29 +19,38 @@ fn main() -> ExitCode {
     common::run(run)
 }
 
-fn run(names: &[String]) -> Result<(), Error> {
+fn run(arguments: &[String]) -> Result<(), Error> {
+    let (options, names): (Vec<_>, Vec<_>) = arguments
+        .iter()
+        .partition(|argument| *argument == "--charts");
     let all: Vec<&str> = studies().map(|study| study.name).collect();
     let all = all.join(", ");
-    if names.iter().any(|name| name == "--help") {
+    if names.iter().any(|name| *name == "--help") {
         print_line(&format!(
-            "cargo bench --bench studies -- [NAME…]\nthe studies: {all}"
+            "cargo bench --bench studies -- [--charts] [NAME…]\nthe studies: {all}"
         ))?;
         return Ok(());
     }
-    for name in names {
-        if studies().all(|study| study.name != name) {
+    for name in &names {
+        if studies().all(|study| study.name != **name) {
             let line = format!("there is no study '{name}'; the studies: {all}");
             return Err(Error::Usage(line));
         }
     }
+    let is_named =
+        |study: &&Study| names.is_empty() || names.iter().any(|name| *name == study.name);
+    if !options.is_empty() {
+        return studies().filter(is_named).try_for_each(|study| {
+            let table = study.table();
+            draw(
+                study,
+                &table.map_err(|error| Error::Failed(error.to_string()))?,
+            )
+        });
+    }
     common::check_release()?;
     print_line(&format!("measured on {}", common::machine()))?;
-    for study in studies() {
-        if names.is_empty() || names.iter().any(|name| name == study.name) {
-            measure(study)?;
-        }
-    }
-    Ok(())
+    studies().filter(is_named).try_for_each(measure)
 }
 
 /// Measures a study, writes its table and its charts, and prints a line for each chart of
@@ -54,12 +64,8 @@ fn measure(study: &Study) -> Result<(), Error> {
     // The charts show the numbers as they are written: rounded.
     let csv = table.to_csv();
     let table = Table::from_csv(&csv).expect("it was just written");
-    let svg = plot::svg(study.title, study.charts, &table);
-    for (extension, text) in [("csv", csv), ("svg", svg)] {
-        write_file(&study.path(extension), |file| {
-            file.write_all(text.as_bytes())
-        })?;
-    }
+    write(study, "csv", &csv)?;
+    draw(study, &table)?;
     for chart in study
         .charts
         .iter()
@@ -72,4 +78,14 @@ fn measure(study: &Study) -> Result<(), Error> {
         print_line(&format!("  {}: {}", chart.title, best.join(", ")))?;
     }
     Ok(())
+}
+
+fn draw(study: &Study, table: &Table) -> Result<(), Error> {
+    write(study, "svg", &plot::svg(study, table))
+}
+
+fn write(study: &Study, extension: &str, text: &str) -> Result<(), Error> {
+    write_file(&study.path(extension), |file| {
+        file.write_all(text.as_bytes())
+    })
 }

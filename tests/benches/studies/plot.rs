@@ -4,8 +4,9 @@
 pub mod axis;
 
 use axis::Axis;
-use speed_and_accuracy::chart::{Chart, Line, Point, pareto_front, styles};
-use speed_and_accuracy::table::Table;
+use speed_and_accuracy::chart::{Chart, Line, Point, Quantity, pareto_front, styles};
+use speed_and_accuracy::study::{Choice, Study};
+use speed_and_accuracy::table::{Table, for_readers};
 use std::iter::repeat_n;
 
 /// The size of one chart; those of a study stand above each other.
@@ -21,9 +22,11 @@ const LINE: f64 = 17.0;
 /// The colours of text and axes, and of the grid: the page's, or those of a light page.
 const INK: &str = "var(--chart-ink, #222222)";
 const FAINT: &str = "var(--chart-faint, #cccccc)";
+const PAPER: &str = "var(--bg, #ffffff)";
 
 /// The methods' colours, and outlines of their marks about a point: colours alone are lost
-/// in print, and on some eyes.
+/// in print, and on some eyes. After the last one they begin again, with hollow marks and
+/// dashed lines.
 const STYLES: [(&str, &str); 6] = [
     (
         "var(--chart-1, #1d64b4)",
@@ -39,32 +42,74 @@ const STYLES: [(&str, &str); 6] = [
 /// Returns the charts above each other as an SVG. A method keeps its colour and its mark
 /// in all of them.
 #[must_use]
-pub fn svg(title: &str, charts: &[Chart], table: &Table) -> String {
-    let (styles, height) = (styles(charts, table), HEIGHT * charts.len() as f64);
+pub fn svg(study: &Study, table: &Table) -> String {
+    let (charts, height) = (study.charts, HEIGHT * study.charts.len() as f64);
+    let styles = styles(charts, table);
     let mut svg = vec![format!(
         "<svg class=\"chart\" role=\"img\" aria-label=\"{}\" width=\"{WIDTH}\" \
          height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" fill=\"{INK}\" \
          font-family=\"sans-serif\" font-size=\"14\" xmlns=\"http://www.w3.org/2000/svg\">",
-        escape(title)
+        escape(study.title)
     )];
     for (i, chart) in charts.iter().enumerate() {
         let top = HEIGHT * i as f64;
         svg.push(format!("<g transform=\"translate(0 {top})\">"));
-        draw(&mut svg, chart, &chart.lines(table), |method| {
-            STYLES[styles[method] % STYLES.len()]
-        });
+        draw(
+            &mut svg,
+            chart,
+            &chart.lines(table),
+            study.chosen,
+            |method| Style::of(styles[method]),
+        );
         svg.push("</g>".to_string());
     }
     svg.push("</svg>\n".to_string());
     svg.join("\n")
 }
 
-type Style = (&'static str, &'static str);
+/// How a method is drawn.
+#[derive(Clone, Copy)]
+struct Style {
+    colour: &'static str,
+    mark: &'static str,
+    is_hollow: bool,
+}
+
+impl Style {
+    fn of(number: usize) -> Self {
+        let (colour, mark) = STYLES[number % STYLES.len()];
+        Self {
+            colour,
+            mark,
+            is_hollow: number >= STYLES.len(),
+        }
+    }
+
+    /// Returns the marks about some points.
+    fn marks(&self, points: &[Point], is_hollow: bool) -> String {
+        let Self { colour, mark, .. } = self;
+        let marks = points
+            .iter()
+            .map(|(x, y)| format!("M{x:.1} {y:.1}{mark}"))
+            .collect::<String>();
+        // What lies under a hollow mark does not show through.
+        let fill = if is_hollow { PAPER } else { colour };
+        format!("<path d=\"{marks}\" fill=\"{fill}\" stroke=\"{colour}\"/>")
+    }
+}
+
+/// Returns a ring about a point, for what is chosen.
+fn ring((x, y): Point) -> String {
+    format!(
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"9\" fill=\"none\" stroke=\"{INK}\"/>"
+    )
+}
 
 fn draw(
     svg: &mut Vec<String>,
     chart: &Chart,
     lines: &[Line],
+    chosen: &[Choice],
     style: impl Fn(&str) -> Style,
 ) {
     let points: Vec<Point> = lines.iter().flat_map(|line| line.points.clone()).collect();
@@ -83,35 +128,85 @@ fn draw(
             "<path d=\"{steps}\" fill=\"none\" stroke=\"{INK}\" stroke-dasharray=\"6 4\"/>"
         ));
     }
-    let mut names = Vec::new();
+    let (mut names, mut labels, mut marks) = (Vec::new(), Vec::new(), Vec::new());
     for line in lines {
-        let (colour, mark) = style(line.method);
-        let positions: Vec<Point> = line.points.iter().copied().map(position).collect();
-        let marks = positions
-            .iter()
-            .map(|&(x, y)| format!("M{x:.1} {y:.1}{mark}"));
+        let style = style(line.method);
+        let is_number =
+            |point: &Point| [point.0, point.1].iter().all(|x| *x > 0.0 && x.is_finite());
+        // No line leads across a break.
+        let runs = line.points.chunk_by(|a, b| is_number(a) && is_number(b));
+        let runs = runs.map(|run| path(run.iter().copied().map(position)));
+        let dashes = if style.is_hollow { "3 4" } else { "none" };
         svg.push(format!(
-            "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>\n\
-             <path d=\"{}\" fill=\"{colour}\"/>",
-            path(positions.iter().copied()),
-            marks.collect::<String>(),
+            "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" \
+             stroke-dasharray=\"{dashes}\"/>",
+            runs.collect::<String>(),
+            style.colour,
         ));
-        let rightmost = positions.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-        names.extend(rightmost.map(|end| (end, line.method)));
+        let (numbers, others): (Vec<Point>, Vec<Point>) =
+            line.points.iter().partition(|point| is_number(point));
+        for (points, is_hollow) in [(numbers, style.is_hollow), (others, true)] {
+            let positions: Vec<Point> = points.into_iter().map(position).collect();
+            if !positions.is_empty() {
+                svg.push(style.marks(&positions, is_hollow));
+            }
+        }
+        let choice = chosen.iter().find(|choice| choice.method == line.method);
+        let points = line.points.iter().copied().map(position);
+        for (&setting, point) in line.settings.iter().zip(points) {
+            if choice.is_some_and(|choice| choice.setting == Some(setting)) {
+                svg.push(ring(point));
+            }
+            // Where an axis is the setting, it has its numbers there.
+            if line.points.len() > 1 && chart.x.0 != Quantity::Setting {
+                labels.push((point, setting));
+            }
+            marks.push(point);
+        }
+        let positions = line.points.iter().copied().map(position);
+        let rightmost = positions.max_by(|a, b| a.0.total_cmp(&b.0));
+        names.extend(rightmost.map(|end| (end, line.method, choice.is_some())));
     }
-    names.sort_by(|((_, a), _), ((_, b), _)| a.total_cmp(b));
-    let mut heights: Vec<f64> = names.iter().map(|((_, y), _)| *y).collect();
+    draw_labels(svg, labels, &marks);
+    names.sort_by(|((_, a), ..), ((_, b), ..)| a.total_cmp(b));
+    let mut heights: Vec<f64> = names.iter().map(|((_, y), ..)| *y).collect();
     spread(&mut heights, LINE, ROWS[1], ROWS[0]);
-    for (((x, y), method), height) in names.into_iter().zip(heights) {
-        let (colour, mark) = style(method);
-        let lead = path([(x + 7.0, y), (NAMES - 18.0, height)]);
+    for (((x, y), method, is_chosen), height) in names.into_iter().zip(heights) {
+        let style = style(method);
+        let colour = style.colour;
+        let lead = path([(x + 7.0, y), (NAMES - 20.0, height)]);
+        let mark = (NAMES - 10.0, height);
         svg.push(format!(
-            "<path d=\"{lead}\" fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"0.6\"/>\n\
-             <path d=\"M{:.1} {height:.1}{mark}\" fill=\"{colour}\"/>\n\
-             <g fill=\"{colour}\">{}</g>",
-            NAMES - 10.0,
-            text((NAMES, height), "start", method)
+            "<path d=\"{lead}\" fill=\"none\" stroke=\"{colour}\" stroke-opacity=\"0.6\"/>\n{}",
+            style.marks(&[mark], style.is_hollow),
         ));
+        let weight = if is_chosen { "bold" } else { "normal" };
+        svg.extend(is_chosen.then(|| ring(mark)));
+        svg.push(format!(
+            "<g fill=\"{colour}\" font-weight=\"{weight}\">{}</g>",
+            text((NAMES + 2.0, height), "start", method)
+        ));
+    }
+}
+
+/// Writes the setting above each point, unless a mark or another setting is in the way.
+fn draw_labels(svg: &mut Vec<String>, labels: Vec<(Point, f64)>, marks: &[Point]) {
+    let mut taken: Vec<[f64; 3]> = marks.iter().map(|&(x, y)| [x, y, 5.0]).collect();
+    let mut written = Vec::new();
+    for ((x, y), setting) in labels {
+        let label = for_readers(setting);
+        let (y, half_width) = (y - 13.0, 3.5 * label.chars().count() as f64);
+        let is_free = taken.iter().all(|[other_x, other_y, other_half]| {
+            (x - other_x).abs() > half_width + other_half || (y - other_y).abs() > 11.0
+        });
+        if is_free {
+            taken.push([x, y, half_width]);
+            written.push(text((x, y), "middle", &label));
+        }
+    }
+    if !written.is_empty() {
+        let written = written.join("\n");
+        svg.push(format!("<g font-size=\"11\">\n{written}\n</g>"));
     }
 }
 
@@ -133,6 +228,13 @@ fn draw_frame(svg: &mut Vec<String>, chart: &Chart, x: &Axis, y: &Axis) {
         line(left, y, right, y);
         ticks += &format!("M{left} {y:.1}h-8");
         labels.push(text((left - 13.0, y), "end", &label));
+    }
+    // Two strokes across the axis.
+    for x in x.breaks() {
+        ticks += &format!("M{:.1} {}l4-10m4 0l-4 10", x - 4.0, bottom + 5.0);
+    }
+    for y in y.breaks() {
+        ticks += &format!("M{} {:.1}l10-4m0 4l-10 4", left - 5.0, y);
     }
     let middle = (left + right) / 2.0;
     svg.push(format!(

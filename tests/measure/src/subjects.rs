@@ -12,6 +12,7 @@ use reflection::{MAX_DEPTH, PathBudget};
 use refraction::Material;
 use shadow_acne::{from_eye, from_surface, trace};
 use shadows::Scene;
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// A picture of the radiance at every point of the image plane, and its mean in every pixel.
@@ -82,6 +83,26 @@ impl Subject {
     }
 }
 
+/// Returns the mean of n × n jittered samples if of 2 × 2 two differ by more than 0.05 of linear
+/// light in any channel, and otherwise that of these: the usual threshold, which is blind in the
+/// dark, where 0.05 is 63 levels.
+#[must_use]
+pub fn adaptive_linear(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
+    let samples = RefCell::new(Vec::new());
+    let mean = jittered(pixel, 2, &|point| {
+        let sample = radiance(point);
+        samples.borrow_mut().push(sample);
+        sample
+    });
+    let samples = samples.into_inner();
+    let differ = |a: &Vec3| samples.iter().any(|b| (*a - *b).abs().max_element() > 0.05);
+    if samples.iter().any(differ) {
+        jittered(pixel, n, radiance)
+    } else {
+        mean
+    }
+}
+
 /// Returns the picture of a scene by 16 × 16 samples per pixel, traced in packets and added up
 /// in f64, so that pixels of a single radiance keep that to the last bit.
 #[must_use]
@@ -122,7 +143,7 @@ pub struct Pattern {
     mean: fn(f64, f64) -> f64,
 }
 
-/// The edge of a disc of radius 23.7, a chequered floor as far as its horizon, and a smooth
+/// The edge of a disc of radius 23.7, a checkered floor as far as its horizon, and a smooth
 /// ramp.
 pub const PATTERNS: [Pattern; 3] = [
     Pattern {

@@ -2,7 +2,7 @@
 //! or miss one that they should.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, each};
+use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use shadow_acne::{from_surface, with_scaled_offset, without_offset};
 use trial::{Configuration, Ground, Method, Secondary, Tally, Trial};
@@ -17,6 +17,7 @@ pub const STUDY: Study = Study {
     name: "acne",
     title: "Leaving a surface: without an offset, by a fixed one, by one that is scaled, and from the surface itself",
     measure,
+    chosen: &[Choice::of("from the surface")],
     charts: &[
         Chart::new("false hits", SCALE, (Quantity::Wrong, "percent of the lit"))
             .titled("Acne: points in the light that are made dark"),
@@ -32,17 +33,17 @@ pub const STUDY: Study = Study {
 };
 
 const SCALE: Axis = (Quantity::Setting, "scale of the scene");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one shadow ray");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per shadow ray");
 
 /// A name, a method, and whether the charts over the scale show it.
 const METHODS: [(&str, Method, bool); 9] = [
     ("no offset", Method::Spawn(without_offset), true),
-    ("fixed 1e-6", Method::Offset(1e-6), true),
-    ("fixed 1e-5", Method::Offset(1e-5), false),
-    ("fixed 1e-4", Method::Offset(1e-4), true),
-    ("fixed 1e-3", Method::Offset(1e-3), false),
-    ("fixed 1e-2", Method::Offset(1e-2), true),
-    ("fixed 1e-1", Method::Offset(1e-1), false),
+    ("fixed 10⁻⁶", Method::Offset(1e-6), true),
+    ("fixed 10⁻⁵", Method::Offset(1e-5), false),
+    ("fixed 10⁻⁴", Method::Offset(1e-4), true),
+    ("fixed 10⁻³", Method::Offset(1e-3), false),
+    ("fixed 10⁻²", Method::Offset(1e-2), true),
+    ("fixed 0.1", Method::Offset(1e-1), false),
     ("scaled", Method::Spawn(with_scaled_offset), true),
     ("from the surface", Method::Spawn(from_surface), true),
 ];

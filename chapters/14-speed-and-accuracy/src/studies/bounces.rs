@@ -1,7 +1,7 @@
 //! Bounce after bounce inside a mirror sphere.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, Verdict, compare};
+use crate::study::{Choice, Clock, Study, Verdict, compare};
 use crate::table::Measurement;
 use glam::{DVec2, Vec3};
 use measure::inputs::{Corner, orbits};
@@ -21,6 +21,7 @@ pub const STUDY: Study = Study {
     name: "bounces",
     title: "Bounces inside a mirror sphere: what is to be made a unit vector",
     measure,
+    chosen: &[Choice::of("unit N and R")],
     charts: &[
         Chart::new("star", BOUNCES, LARGEST).titled(
             "Round a star, the textbook’s error grows 14-fold at each bounce (∞: lost)",
@@ -33,7 +34,7 @@ pub const STUDY: Study = Study {
 
 const BOUNCES: Axis = (Quantity::Setting, "bounces");
 const LARGEST: Axis = (Quantity::Max, "largest error, in radii");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one bounce");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per bounce");
 const ERROR: Axis = (Quantity::Rms, "RMS error, in radii");
 
 /// A function from a corner and a number of bounces to the corner after these.

@@ -1,7 +1,7 @@
 //! The reflectance of an interface, exactly and roughly.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, Verdict, compare};
+use crate::study::{Choice, Clock, Study, Verdict, compare};
 use crate::table::Measurement;
 use fresnel::{fresnel, schlick};
 use measure::inputs::on_a_disc;
@@ -13,6 +13,7 @@ pub const STUDY: Study = Study {
     name: "fresnel",
     title: "Reflectance: Fresnel’s formulas, Schlick’s approximation, and a constant",
     measure,
+    chosen: &[Choice::of("textbook")],
     charts: &[
         Chart::new("entering", INDEX, LARGEST)
             .titled("On entering, Schlick is off by hundredths for glass, by far more near an index of 1"),
@@ -25,7 +26,7 @@ pub const STUDY: Study = Study {
 
 const INDEX: Axis = (Quantity::Setting, "index of refraction, less 1");
 const LARGEST: Axis = (Quantity::Max, "largest error of the reflectance");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one reflectance");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per reflectance");
 const ERROR: Axis = (Quantity::Rms, "RMS error of the reflectance");
 
 /// The cosine of the angle of incidence, and the indices on this side and on the far one.

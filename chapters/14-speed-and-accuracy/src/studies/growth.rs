@@ -2,7 +2,7 @@
 
 use super::recursion::trace_times;
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, each};
+use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use anti_aliasing::regular;
 use canvas::{Canvas, Picture};
@@ -27,6 +27,12 @@ pub const STUDY: Study = Study {
     name: "growth",
     title: "What more pixels, samples, lights, bounces and spheres cost",
     measure: |clock| [spheres(clock), depths(clock), pictures(clock)].concat(),
+    chosen: &[
+        Choice::of("all, camera"),
+        Choice::of("all, random"),
+        Choice::of("still life, cut off"),
+        Choice::of("nested, cut off"),
+    ],
     charts: &[
         Chart::new("spheres", (Quantity::Setting, "spheres"), RAY_TIME).titled(
             "Spheres, all tried or by a tree of boxes: for a handful it is not worth it",
@@ -40,9 +46,9 @@ pub const STUDY: Study = Study {
     ],
 };
 
-const RAY_TIME: Axis = (Quantity::Ns, "nanoseconds for a ray");
-const RAYS: Axis = (Quantity::Work, "rays for a pixel");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for the picture");
+const RAY_TIME: Axis = (Quantity::Ns, "nanoseconds per ray");
+const RAYS: Axis = (Quantity::Work, "rays per pixel");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per picture");
 
 fn spheres(clock: &Clock) -> Vec<Measurement> {
     let mut rows = Vec::new();

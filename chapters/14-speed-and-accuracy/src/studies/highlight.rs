@@ -1,7 +1,7 @@
 //! xⁿ, which makes a highlight.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, Verdict, compare};
+use crate::study::{Choice, Clock, Study, Verdict, compare};
 use crate::table::Measurement;
 use shading::powi;
 
@@ -11,19 +11,20 @@ pub const STUDY: Study = Study {
     name: "highlight",
     title: "A highlight’s power: by squaring, by logarithms, and by Schlick’s fraction",
     measure,
+    chosen: &[Choice::of("squaring")],
     charts: &[
         Chart::new("highlight", SHININESS, LARGEST)
             .titled("Squaring is wrong by n roundings, Schlick’s fraction by a fifth"),
         Chart::new("highlight", SHININESS, TIME)
             .titled("Squaring takes longer the shinier the surface is"),
-        Chart::new("overall", TIME, ERROR).titled("Powers from 1 to 10000"),
+        Chart::new("overall", TIME, ERROR).titled("Powers from 1 to 10,000"),
     ],
 };
 
 const SHININESS: Axis = (Quantity::Setting, "shininess n");
-const LARGEST: Axis = (Quantity::Max, "largest error of the term");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one power");
-const ERROR: Axis = (Quantity::Rms, "RMS error of the term");
+const LARGEST: Axis = (Quantity::Max, "largest error, of full light");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per power");
+const ERROR: Axis = (Quantity::Rms, "RMS error, of full light");
 
 /// x and n.
 type Case = (f32, u32);

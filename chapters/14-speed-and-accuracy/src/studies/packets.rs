@@ -1,7 +1,7 @@
 //! Packets against single rays: the gain, and how many rays of a packet stay together.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, each};
+use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use canvas::{Canvas, Picture, rays_so_far};
 use glam::{UVec2, Vec3};
@@ -24,6 +24,7 @@ pub const STUDY: Study = Study {
     name: "packets",
     title: "What sixteen rays at once gain: lanes in use, lanes that stay together, threads",
     measure,
+    chosen: &[Choice::of("packets")],
     charts: &[
         Chart::new("lanes", (Quantity::Setting, "pixels in a packet"), TIME)
             .titled("The still life: every lane in use makes a pixel cheaper"),
@@ -34,7 +35,7 @@ pub const STUDY: Study = Study {
     ],
 };
 
-const TIME: Axis = (Quantity::Ns, "nanoseconds for a pixel");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel");
 const ACTIVE: Axis = (Quantity::Work, "active lanes of sixteen");
 
 /// A size at which starting a thread pays.

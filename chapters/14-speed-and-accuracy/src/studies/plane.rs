@@ -1,14 +1,17 @@
 //! The intersection of a ray and a plane, and the squares of a checkered floor.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, Verdict, compare};
+use crate::lanes::{self, InLanes, costs, plane_by_offset};
+use crate::study::{Choice, Clock, Study, Verdict, compare};
 use crate::table::Measurement;
 use glam::{Vec2, Vec3};
 use measure::Random;
 use measure::inputs::{floor_point, plane_ray};
+use packets::Lanes;
 use plane_hit::{Plane, is_even, is_even_in_space};
 use ray_casting::Ray;
 use sphere_hit::T_MAX;
+use wide::f64x8;
 
 /// The textbook's formula, that with a stored offset, and the textbook's in f64, for planes
 /// near and far; and a floor's squares by two coordinates or by three.
@@ -20,13 +23,14 @@ pub const STUDY: Study = Study {
     name: "plane",
     title: "A ray and a plane: the textbook’s formula, a stored offset, and f64; and the floor’s squares",
     measure,
+    chosen: &[Choice::of("textbook"), Choice::of("in the plane")],
     charts: &[
         Chart::new("grazing", COSINE, LARGEST).titled(
-            "A plane 1000 away from the origin: a grazing ray’s d·n is mostly rounding",
+            "A plane 1,000 away from the origin: a grazing ray’s d·n is mostly rounding",
         ),
         Chart::new("squares", DISTANCE, WRONG)
             .titled("Squares of a floor at height −1 that have the wrong colour"),
-        Chart::new("overall", TIME, ERROR)
+        Chart::new("lanes", TIME, ERROR)
             .titled("Planes up to a million away, at angles down to half a degree"),
     ],
 };
@@ -38,7 +42,7 @@ const COSINE: Axis = (
 const LARGEST: Axis = (Quantity::Max, "largest error of t, in ulps");
 const DISTANCE: Axis = (Quantity::Setting, "distance, in squares");
 const WRONG: Axis = (Quantity::Wrong, "wrong, in percent");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one hit");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per ray, in full registers");
 const ERROR: Axis = (Quantity::Rms, "RMS error of t, in ulps");
 
 /// A plane, its offset h = x₀·n, and a ray.
@@ -101,7 +105,32 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
         let aside = rays(0.0, distance, 0.5);
         rows.extend(hits("far from its point", distance, &aside));
     }
-    rows.extend(hits("overall", 0.0, &all));
+    // What the loop, the call and the input take of each method's time.
+    let nothing: [(&str, Method); 1] = [("nothing", |_| None)];
+    let no_error = |_: &_, _: &_, _| Verdict::Right;
+    rows.extend(compare(clock, ("loop", 0.0), &all, &nothing, no_error));
+    let overall = hits("overall", 0.0, &all);
+    let by_point =
+        |(plane, _, ray): &Case| [ray.origin, ray.direction, plane.point, plane.normal];
+    let by_offset = |(plane, offset, ray): &Case| {
+        [
+            ray.origin,
+            ray.direction,
+            Vec3::splat(*offset),
+            plane.normal,
+        ]
+    };
+    let of_all = |case: fn(&Case) -> [Vec3; 4]| -> Vec<[Vec3; 4]> {
+        all.iter().map(|(ray, _)| case(ray)).collect()
+    };
+    let (by_point, by_offset) = (of_all(by_point), of_all(by_offset));
+    let formulas = vec![
+        InLanes::of::<Lanes, _, _>(&by_point, lanes::plane, lanes::plane),
+        InLanes::of::<Lanes, _, _>(&by_offset, plane_by_offset, plane_by_offset),
+        InLanes::of::<f64x8, _, _>(&by_point, lanes::plane, lanes::plane),
+    ];
+    rows.extend(costs(clock, &overall, formulas));
+    rows.extend(overall);
     for distance in [10.0, 30.0, 1e2, 3e2, 1e3, 1e4, 1e5, 1e6, 3e6, 1e7] {
         let point = |_| floor_point(&mut random, distance);
         let points: Vec<_> = (0..10_000).map(point).collect();

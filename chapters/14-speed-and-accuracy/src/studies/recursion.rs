@@ -2,7 +2,7 @@
 
 use crate::chart::{Axis, Chart, Quantity};
 use crate::error_map::level_error;
-use crate::study::{Clock, Study, each};
+use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use canvas::Canvas;
 use glam::UVec2;
@@ -13,7 +13,8 @@ use ray_casting::Camera;
 use reflection::{MAX_DEPTH, PathBudget};
 
 /// A limit to the bounces, one to the throughput, and both, in glass and between mirrors; the
-/// setting is the depth, or k for a cut-off at 2⁻ᵏ.
+/// setting is the depth, or k for a cut-off at 2⁻ᵏ: 11 for the 1/2048 that is half of a level
+/// on a linear scale, 15 for a tenth of the darkest level.
 ///
 /// Rays, shadow rays among them, and nanoseconds are those of one pixel. Errors are in
 /// levels, not rounded, against the oracle; a pixel off by more than half a level is wrong.
@@ -23,6 +24,7 @@ pub const STUDY: Study = Study {
     name: "recursion",
     title: "When to follow a ray no farther: after so many bounces, or when it brings too little",
     measure,
+    chosen: &[Choice::at("depth 64 + cut-off", 15.0)],
     charts: &[
         Chart::new("ball", RAYS, LARGEST)
             .titled("A ball of glass: the cut-off needs fewer rays than the depth"),
@@ -33,7 +35,10 @@ pub const STUDY: Study = Study {
     ],
 };
 
-const RAYS: Axis = (Quantity::Work, "rays for a pixel");
+const RAYS: Axis = (
+    Quantity::Work,
+    "rays per pixel (at the marks: the depth, or k of a cut-off at 2⁻ᵏ)",
+);
 const LARGEST: Axis = (Quantity::Max, "largest error, in levels");
 
 const SIZE: UVec2 = UVec2::new(64, 48);
@@ -45,6 +50,9 @@ const TO_THE_END: PathBudget = PathBudget {
     throughput: 1.0,
     min_throughput: 1e-6,
 };
+
+/// A throughput that brings no more than an eighth of a level to a pixel that is black.
+const EIGHTH_OF_THE_DARKEST: f32 = 1.0 / (8.0 * 12.92 * 255.0);
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
     // A scene, the part of its light that is shown, since what is too bright for a screen
@@ -67,7 +75,7 @@ fn glass_alone(name: &str) -> (Model, Camera) {
 }
 
 /// Returns methods, their settings, and the budgets that they give a camera's ray.
-fn budgets(deepest: u32) -> Vec<(&'static str, u32, PathBudget)> {
+fn budgets(deepest: u32) -> Vec<(&'static str, f64, PathBudget)> {
     let mut budgets = Vec::new();
     let mut add = |method, setting, depth, min_throughput| {
         let budget = PathBudget {
@@ -79,14 +87,25 @@ fn budgets(deepest: u32) -> Vec<(&'static str, u32, PathBudget)> {
     };
     let depths = (0..=6).chain([8, 10, 12, 16, 24, 32, 64, 128, 256, 512, 1000]);
     for depth in depths.filter(|&depth| depth <= deepest) {
-        add("depth", depth, depth, 0.0);
+        add("depth", f64::from(depth), depth, 0.0);
     }
-    for k in 4..=14 {
-        let min_throughput = 1.0 / (1 << k) as f32;
+    let powers = (4..=16).map(|k| (f64::from(k), 1.0 / (1 << k) as f32));
+    let mut cut_offs: Vec<(f64, f32)> = powers.collect();
+    cut_offs.push((
+        -libm::log2(EIGHTH_OF_THE_DARKEST.into()),
+        EIGHTH_OF_THE_DARKEST,
+    ));
+    cut_offs.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    for (k, min_throughput) in cut_offs {
         add("cut-off", k, TO_THE_END.depth, min_throughput);
         add("depth 64 + cut-off", k, MAX_DEPTH, min_throughput);
     }
-    add("to the end", 0, TO_THE_END.depth, TO_THE_END.min_throughput);
+    add(
+        "to the end",
+        0.0,
+        TO_THE_END.depth,
+        TO_THE_END.min_throughput,
+    );
     budgets
 }
 
@@ -134,7 +153,7 @@ fn compare(
             work: Some(canvas.rays as f64 / exact.len() as f64),
             wrong: percent(wrong, kept.len()),
             ns,
-            ..Measurement::of(name, method, setting.into()).with_errors(errors)
+            ..Measurement::of(name, method, setting).with_errors(errors)
         });
     }
     rows

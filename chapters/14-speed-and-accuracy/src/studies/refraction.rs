@@ -1,12 +1,15 @@
 //! Refracted directions, near the critical angle and through many panes.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, Verdict, compare};
+use crate::lanes::{self, InLanes, costs, refract_tangential};
+use crate::study::{Choice, Clock, Study, Verdict, compare};
 use crate::table::Measurement;
 use glam::{DVec3, Vec3};
 use measure::inputs::{Refraction, refractions};
+use packets::Lanes;
 use refraction::refract;
 use refraction::scene::GLASS;
+use wide::f64x8;
 
 /// The textbook's formula, [`refract`] without its last step, which normalises the result,
 /// and with it, and that in f64.
@@ -17,12 +20,13 @@ pub const STUDY: Study = Study {
     name: "refraction",
     title: "Refracted directions: the textbook’s formula, the book’s, and that in f64",
     measure,
+    chosen: &[Choice::of("refract")],
     charts: &[
         Chart::new("critical angle", ANGLE, LARGEST)
             .titled("Near the critical angle of glass the law itself is steep, and f64 helps little"),
         Chart::new("panes", PANES, TURN)
             .titled("Through panes of glass: to make each direction a unit vector turns it"),
-        Chart::new("overall", TIME, ERROR)
+        Chart::new("lanes", TIME, ERROR)
             .titled("Into all media and out of them, at all angles"),
     ],
 };
@@ -31,7 +35,7 @@ const ANGLE: Axis = (Quantity::Setting, "radians from the critical angle");
 const LARGEST: Axis = (Quantity::Max, "largest error, in radians");
 const PANES: Axis = (Quantity::Setting, "panes");
 const TURN: Axis = (Quantity::Rms, "RMS angle, in radians");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for one direction");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per direction, in full registers");
 const ERROR: Axis = (Quantity::Rms, "RMS error, in radians");
 
 type Method = fn(&Refraction) -> Option<Vec3>;
@@ -102,13 +106,31 @@ fn measure(clock: &Clock) -> Vec<Measurement> {
         let [eta_i, eta_t] = [0, 1].map(|_| random.between(1.0, 3.0));
         (random.f64(), eta_i / eta_t)
     });
-    rows.extend(compare(
-        clock,
-        ("overall", 0.0),
-        &cases,
-        &METHODS,
-        direction_error,
-    ));
+    // What the loop, the call and the input take of each method's time.
+    let nothing: [(&str, Method); 1] = [("nothing", |_| None)];
+    let no_error = |_: &_, _: &_, _| Verdict::Right;
+    rows.extend(compare(clock, ("loop", 0.0), &cases, &nothing, no_error));
+    let overall = ("overall", 0.0);
+    let overall = compare(clock, overall, &cases, &METHODS, direction_error);
+    let scene = ("length", 0.0);
+    let stopped = Clock::STOPPED;
+    rows.extend(compare(&stopped, scene, &cases, &METHODS, length_error));
+    let cases: Vec<[Vec3; 3]> = cases
+        .iter()
+        .map(|((incident, normal, eta), _)| [*incident, *normal, Vec3::splat(*eta)])
+        .collect();
+    let formulas = vec![
+        InLanes::of::<Lanes, _, _>(
+            &cases,
+            lanes::refract_by_textbook,
+            lanes::refract_by_textbook,
+        ),
+        InLanes::of::<Lanes, _, _>(&cases, refract_tangential, refract_tangential),
+        InLanes::of::<Lanes, _, _>(&cases, lanes::refract, lanes::refract),
+        InLanes::of::<f64x8, _, _>(&cases, lanes::refract, lanes::refract),
+    ];
+    rows.extend(costs(clock, &overall, formulas));
+    rows.extend(overall);
     rows
 }
 

@@ -1,26 +1,30 @@
 //! The positions of a pixel's samples, and their number.
 
 use crate::chart::{Axis, Chart, Quantity};
-use crate::study::{Clock, Study, each};
+use crate::error_map::level_error;
+use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use anti_aliasing::sobol::{image_point, low_discrepancy};
 use anti_aliasing::{Sampler, adaptive, hash, jittered, regular};
 use canvas::Pixel;
 use glam::{DVec2, Vec2, Vec3};
 use measure::Random;
-use measure::subjects::{Subject, subjects};
+use measure::subjects::{Subject, adaptive_linear, subjects};
 
 /// Samplers that take n × n samples of a pixel, of patterns and of the still life; the
 /// setting is n.
 ///
 /// Work, samples of a pattern and rays of the still life, and nanoseconds are those of one
-/// pixel. Errors are in linear light, against exact means, or that of 4096 samples for the
-/// still life. In the rows of a scene's "order", the RMS column holds the p of an RMS error
-/// that falls as work⁻ᵖ, from n = 2 on.
+/// pixel. Errors are in levels, against exact means, or that of 4096 samples for the still
+/// life. In the rows of a scene's "order", the RMS column holds the p of an RMS error, in
+/// linear light, that falls as work⁻ᵖ, from n = 2 on.
+///
+/// "Adaptive" compares a pixel's first samples as levels, "adaptive, linear" as light.
 pub const STUDY: Study = Study {
     name: "sampling",
     title: "Where to look in a pixel, and how often",
     measure,
+    chosen: &[Choice::at("regular", 4.0)],
     charts: &[
         Chart::new("edge", SAMPLES, ERROR)
             .titled("A disc’s edge: any even spread beats chance, the grid most of all"),
@@ -31,17 +35,18 @@ pub const STUDY: Study = Study {
     ],
 };
 
-const SAMPLES: Axis = (Quantity::Work, "samples for a pixel");
-const TIME: Axis = (Quantity::Ns, "nanoseconds for a pixel");
-const ERROR: Axis = (Quantity::Rms, "RMS error, linear");
+const SAMPLES: Axis = (Quantity::Work, "samples per pixel (at the marks: n)");
+const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel (at the marks: n)");
+const ERROR: Axis = (Quantity::Rms, "RMS error, in levels");
 
-const SAMPLERS: [(&str, Sampler); 6] = [
+const SAMPLERS: [(&str, Sampler); 7] = [
     ("random", random),
     ("regular", regular),
     ("jittered", jittered),
     ("R2", r2),
     ("Owen-Sobol", low_discrepancy),
     ("adaptive", adaptive),
+    ("adaptive, linear", adaptive_linear),
 ];
 
 /// Returns the mean of n × n samples, each anywhere in the pixel.
@@ -87,7 +92,7 @@ fn compare(clock: &Clock, subject: &Subject) -> Vec<Measurement> {
     let timed = pixels.iter().step_by(pixels.len() / 64 + 1);
     let timed: Vec<Pixel> = timed.copied().collect();
     let settings = [1, 2, 3, 4, 6, 8, 12, 16, 32].into_iter();
-    let mut rows = Vec::new();
+    let (mut rows, mut in_light) = (Vec::new(), Vec::new());
     for n in settings.filter(|&n| n <= subject.finest) {
         let job = |(_, sampler): (_, Sampler)| {
             each(&timed, move |&pixel| sampler(pixel, n, &*subject.radiance))
@@ -95,18 +100,21 @@ fn compare(clock: &Clock, subject: &Subject) -> Vec<Measurement> {
         let times = clock.min_of_rounds(timed.len(), SAMPLERS.map(job));
         for ((method, sampler), ns) in SAMPLERS.into_iter().zip(times) {
             let canvas = subject.render(sampler, n);
-            let pairs = canvas.radiance.iter().zip(&subject.means);
-            let errors = pairs.map(|(radiance, mean)| radiance.as_dvec3() - mean);
-            rows.push(Measurement {
+            let pairs = || canvas.radiance.iter().zip(&subject.means);
+            let errors = pairs().map(|(radiance, mean)| radiance.as_dvec3() - mean);
+            let row = Measurement {
                 work: Some(canvas.rays as f64 / pixels.len() as f64),
                 ns,
                 ..Measurement::of(subject.name, method, f64::from(n))
-                    .with_errors(errors.flat_map(|error| error.to_array()))
-            });
+            };
+            let errors = errors.flat_map(|error| error.to_array());
+            in_light.push(row.clone().with_errors(errors));
+            let errors = pairs().map(|(radiance, mean)| level_error(*radiance, *mean));
+            rows.push(row.with_errors(errors));
         }
     }
     let orders = SAMPLERS.map(|(method, _)| {
-        let of_it = rows
+        let of_it = in_light
             .iter()
             .filter(|row| row.method == method && row.setting > 1.0);
         Measurement {
