@@ -87,7 +87,11 @@ mod the_source {
         let text: Vec<String> = others.map(|page| read(&page)).collect();
         let text = text.concat();
         let missing = WORDS.split(", ").filter(|word| !text.contains(word));
-        none(&missing.map(|word| format!("no page says {word}")).collect::<Vec<_>>());
+        none(
+            &missing
+                .map(|word| format!("no page says {word}"))
+                .collect::<Vec<_>>(),
+        );
     }
 
     #[test]

@@ -81,13 +81,13 @@ fn cost_of_clamping() -> [String; 3] {
     let pairs = Pixel::all(SMALL).map(|pixel| {
         [regular, clamped].map(|sampler: Sampler| sampler(pixel, 4, &radiance))
     });
-    let (mut differing, mut worst, mut lost) = (0, 0, 0.0_f32);
+    let (mut differing, mut worst, mut lost) = (0, 0, 0.0_f64);
     for [mean, clamped] in pairs {
         let [a, b] = [mean, clamped].map(encode);
         let difference = (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap_or(0);
         differing += usize::from(difference > 0);
         worst = worst.max(difference);
-        lost = lost.max(1.0 - clamped.element_sum() / mean.element_sum());
+        lost = lost.max(1.0 - f64::from(clamped.element_sum() / mean.element_sum()));
     }
     let pixels = (SMALL.x * SMALL.y) as usize;
     [

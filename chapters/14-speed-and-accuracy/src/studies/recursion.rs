@@ -13,8 +13,8 @@ use ray_casting::Camera;
 use reflection::{MAX_DEPTH, PathBudget};
 
 /// A limit to the bounces, one to the throughput, and both, in glass and between mirrors; the
-/// setting is the depth, or k for a cut-off at 2⁻ᵏ: 11 for the 1/2048 that is half of a level
-/// on a linear scale, 15 for a tenth of the darkest level.
+/// setting is the depth, or k for a cut-off at 2⁻ᵏ: 11 for the 1/2048 that is an
+/// eighth of a level on a linear scale, 15 for a tenth of the darkest level.
 ///
 /// Rays, shadow rays among them, and nanoseconds are those of one pixel. Errors are in
 /// levels, not rounded, against the oracle; a pixel off by more than half a level is wrong.
@@ -51,9 +51,6 @@ const TO_THE_END: PathBudget = PathBudget {
     min_throughput: 1e-6,
 };
 
-/// A throughput that brings no more than an eighth of a level to a pixel that is black.
-const EIGHTH_OF_THE_DARKEST: f32 = 1.0 / (8.0 * 12.92 * 255.0);
-
 fn measure(clock: &Clock) -> Vec<Measurement> {
     // A scene, the part of its light that is shown, since what is too bright for a screen
     // shows no error, and the greatest depth.
@@ -89,14 +86,9 @@ fn budgets(deepest: u32) -> Vec<(&'static str, f64, PathBudget)> {
     for depth in depths.filter(|&depth| depth <= deepest) {
         add("depth", f64::from(depth), depth, 0.0);
     }
-    let powers = (4..=16).map(|k| (f64::from(k), 1.0 / (1 << k) as f32));
-    let mut cut_offs: Vec<(f64, f32)> = powers.collect();
-    cut_offs.push((
-        -libm::log2(EIGHTH_OF_THE_DARKEST.into()),
-        EIGHTH_OF_THE_DARKEST,
-    ));
-    cut_offs.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    for (k, min_throughput) in cut_offs {
+    for k in 4..=16 {
+        let min_throughput = 1.0 / (1 << k) as f32;
+        let k = f64::from(k);
         add("cut-off", k, TO_THE_END.depth, min_throughput);
         add("depth 64 + cut-off", k, MAX_DEPTH, min_throughput);
     }
