@@ -78,9 +78,9 @@ impl Plan {
 
     // ANCHOR: tolerance
     /// Returns the tolerance as linear light, at some radiance of a channel: the distance of
-    /// its level's threshold from that of the level below, times the tolerance in levels.
+    /// its level's light from that of the level below, times the tolerance in levels.
     pub(crate) fn tolerance_at(&self, radiance: f32) -> f32 {
-        // Level 0 has no level below it, but is as wide as level 1 is far from black.
+        // Level 0 has no level below it; its own width is level 1's.
         let level = encode(Vec3::splat(radiance))[0].max(1);
         self.tolerance * (decode(level) - decode(level - 1))
     }
