@@ -12,7 +12,6 @@ use preview::{print_line, write_file};
 use speed_and_accuracy::chart::pareto_front;
 use speed_and_accuracy::study::{Clock, Study};
 use speed_and_accuracy::table::Table;
-use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -85,7 +84,7 @@ fn draw(study: &Study, table: &Table) -> Result<(), Error> {
 }
 
 fn write(study: &Study, extension: &str, text: &str) -> Result<(), Error> {
-    write_file(&study.path(extension), |file| {
+    Ok(write_file(&study.path(extension), |file| {
         file.write_all(text.as_bytes())
-    })
+    })?)
 }
