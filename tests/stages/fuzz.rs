@@ -17,7 +17,7 @@ use stages::fuzz::check;
 use stages::tracers::{Tracer, budgeted};
 use transparency::Absorbing;
 
-/// A million of them, sixteen minutes' worth, are `cargo bench --bench fuzz`.
+/// A million of them, half an hour of one core, are `cargo bench --bench fuzz`.
 #[test]
 fn every_pixel_of_any_scene_is_finite_and_done_with_in_time() {
     (0..10_000_u32).into_par_iter().for_each(check);
