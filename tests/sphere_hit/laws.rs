@@ -250,7 +250,6 @@ fn a_sphere_whose_radius_is_not_positive_or_that_is_not_finite_is_refused() {
     for x in [f32::INFINITY, f32::NEG_INFINITY, f32::NAN] {
         assert_eq!(Sphere::new(vec3(0.0, x, 0.0), 1.0), None);
     }
-    assert!(Sphere::new(Vec3::splat(-3e38), 1e-45).is_some());
 }
 
 /// Returns the error of t, in ulps of D or r, whichever is larger; `None` for a wrong miss.
