@@ -62,6 +62,9 @@ fn a_point_of_the_surface_is_not_inside() {
         vec3(1.0, 5.0, -1.0),
     ] {
         assert!(!ball.contains(on_the_ball));
+        let from_centre = on_the_ball - vec3(1.0, 2.0, 3.0);
+        assert!(ball.contains(on_the_ball - 1e-3 * from_centre));
+        assert!(!ball.contains(on_the_ball + 1e-3 * from_centre));
     }
     for in_the_wall in [vec3(1.0, 2.0, 3.0), vec3(1.0, -8.0, 9.0)] {
         assert!(!wall.contains(in_the_wall));
