@@ -1,6 +1,7 @@
 //! The tests of the chapter `plane-hit`: its pictures, laws and numbers.
 
 mod agreement;
+mod elsewhere;
 mod faults;
 mod laws;
 mod numbers;
