@@ -1,6 +1,6 @@
 //! Rows that are rendered for a file, and are never a whole canvas.
 
-use ::canvas::{Canvas, STAGE};
+use ::canvas::{Canvas, Picture, STAGE};
 use glam::UVec2;
 use std::convert::Infallible;
 
@@ -38,4 +38,15 @@ fn an_error_ends_the_rendering() {
         if calls < 3 { Ok(()) } else { Err("full") }
     });
     assert_eq!((result, calls), (Err("full"), 3));
+}
+
+#[test]
+fn a_picture_without_a_pixel_has_no_rows() {
+    let picture = Picture::new(|_| unreachable!("there is no pixel"));
+    for size in [(0, 5), (5, 0), (0, 0)].map(UVec2::from) {
+        let Ok(()) = picture.render_rows(size, |levels| {
+            assert!(levels.is_empty());
+            Ok::<(), Infallible>(())
+        });
+    }
 }

@@ -195,3 +195,29 @@ proptest! {
         prop_assert_eq!(PointLight::new(position, intensity).is_some(), is_in_range);
     }
 }
+
+/// Far from the origin of the world a horizontal floor is where it is: only the coordinate along
+/// its normal counts.
+#[test]
+fn a_point_above_a_floor_is_not_on_it_however_far_it_is() {
+    let floor = |x: f32| Shape::plane(x * Vec3::X, Vec3::Y);
+    for (shape, point) in [
+        (floor(0.0), vec3(1e6, 0.2, 0.0)),
+        (floor(0.0), vec3(1e4, 0.002, 0.0)),
+        (floor(0.0), vec3(100.0, 1e-5, 100.0)),
+        (floor(1e7), Vec3::Y),
+        (Shape::sphere(-1e6 * Vec3::Y, 1e6), 0.3 * Vec3::Y),
+        (Shape::sphere(-1e5 * Vec3::Y, 1e5), 0.04 * Vec3::Y),
+        (Shape::sphere(-1e4 * Vec3::Y, 1e4), 0.004 * Vec3::Y),
+    ] {
+        assert!(!is_on_surface(&shape, point), "{shape:?} {point}");
+    }
+    let objects = vec![
+        object("floor", Shape::plane(vec3(1e6, 0.0, 0.0), Vec3::Y)),
+        object("step", Shape::plane(0.2 * Vec3::Y, Vec3::Y)),
+    ];
+    let reversed = objects.iter().rev().cloned().collect();
+    for objects in [objects, reversed] {
+        assert!(Scene::new(objects, vec![], Vec3::ZERO).is_ok());
+    }
+}

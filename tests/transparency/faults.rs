@@ -336,3 +336,111 @@ proptest! {
         prop_assert!(seen.iter().all(|&bits| bits == seen[0]));
     }
 }
+
+/// Bodies that touch, in every order of the list: at the point of contact rounding would let a
+/// ray miss a surface, or cross it twice.
+#[test]
+fn bodies_that_touch_are_entered_and_left_once() {
+    let water = |a| clear(below(0.0), 1.0, a);
+    let small = |y, a| clear(ball(y, 0.5), 1.0, a);
+    let large = |y, a| clear(ball(y, 1.0), 1.0, a);
+    let orders: [(Vec<Object<Absorbing>>, f64); 12] = [
+        (vec![water(0.5), small(-0.5, 0.0)], 0.5),
+        (vec![small(-0.5, 0.0), water(0.5)], 1.0),
+        (vec![water(0.0), small(-0.5, 1.0)], 1.0),
+        (vec![small(0.5, 0.0), water(0.5)], 1.0),
+        (vec![water(0.5), small(0.5, 0.0)], 1.0),
+        (vec![large(0.0, 1.0), small(0.5, 0.0)], 1.0),
+        (vec![large(0.0, 0.0), small(0.5, 1.0)], 1.0),
+        (vec![small(0.5, 1.0), large(0.0, 0.0)], 0.0),
+        (vec![large(1.0, 0.2), large(-1.0, 0.4)], 1.2),
+        (vec![large(-1.0, 0.4), large(1.0, 0.2)], 1.2),
+        (vec![large(4.0, 0.3), large(2.0, 0.1), large(0.0, 0.2)], 1.2),
+        (vec![large(0.0, 0.2), large(2.0, 0.1), large(4.0, 0.3)], 1.2),
+    ];
+    for (i, (mut objects, absorbed)) in orders.into_iter().enumerate() {
+        let clear = scene(objects.clone());
+        objects.insert(0, glowing(below(-2.0)));
+        let seen = straight_down(objects);
+        assert!(is_close(seen, exp(-absorbed)), "{i}: {seen}");
+        let ray = Ray {
+            origin: 9.0 * Vec3::Y,
+            direction: Vec3::NEG_Y,
+        };
+        let ray = from_eye(&clear.objects, ray);
+        let light = shadow_transmittance(&clear, &ray, -2.0 * Vec3::Y, 11.0);
+        assert!(is_close(f64::from(light.x), exp(-absorbed)), "{i}: {light}");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(20_000))]
+
+    /// Two balls that touch from outside, or of which one is in the other, in a room that glows:
+    /// a ray aimed at the point of contact comes out, and has been absorbed nowhere.
+    #[test]
+    fn a_ray_through_a_point_of_contact_comes_out(
+        out in unit_vector(), far in magnitude(-9.0..-1.0), aside in unit_vector(),
+        from in unit_vector(), is_inside in any::<bool>(), is_first in any::<bool>(),
+    ) {
+        let centre = if is_inside { 0.5 } else { 1.5 } * out;
+        let mut balls = vec![
+            clear(ball(0.0, 1.0), 1.0, 0.0),
+            clear(Shape::sphere(centre.as_vec3(), 0.5), 1.0, 0.0),
+        ];
+        if is_first {
+            balls.reverse();
+        }
+        balls.push(glowing(ball(0.0, 8.0)));
+        let towards = out + far * aside;
+        let origin = (4.0 * from).as_vec3();
+        let direction = (towards - 4.0 * from).normalize().as_vec3();
+        prop_assert_eq!(radiance(&scene(balls), origin, direction), 1.0);
+    }
+
+    /// A ray that grazes a tinted ball, near to the origin of the world or far away, loses no more
+    /// than a chord as long as rounding can make it.
+    #[test]
+    fn a_ray_that_grazes_a_tinted_ball_far_away_goes_on(
+        centre in unit_vector(), away in magnitude(0.0..3.0), out in unit_vector(),
+        height in -1e-6..1e-6_f64,
+    ) {
+        let centre = away * centre;
+        let mut scene = scene(vec![clear(Shape::sphere(centre.as_vec3(), 1.0), 1.0, 0.5)]);
+        scene.background = Vec3::ONE;
+        let along = out.any_orthonormal_vector();
+        let origin = centre + (1.0 + height) * out - 4.0 * along;
+        let seen = radiance(&scene, origin.as_vec3(), along.as_vec3());
+        prop_assert!(seen > exp(-0.5 * (0.02 * away.sqrt()).max(0.02)), "{seen}");
+    }
+}
+
+/// A lamp in the plane of glossy water, however it is tilted: its highlights are all there, or
+/// none is.
+#[test]
+fn a_lamp_in_the_plane_of_water_makes_no_speckles() {
+    for i in 1..60 {
+        let [x, y, z] = harness::evenly(i);
+        let normal = (DVec3::Y + 0.2 * (DVec3::new(x, y, z) - 0.5)).normalize();
+        let point = 0.7 * DVec3::Y;
+        let along = DVec3::new(z - 0.5, 0.0, x - 0.5).cross(normal).normalize();
+        let lamp = point + 9.0 * y * along;
+        let water = clear(Shape::plane(point.as_vec3(), normal.as_vec3()), 1.33, 0.5);
+        let light = PointLight::new(lamp.as_vec3(), 1.0).expect("in range");
+        let scene =
+            Scene::new(vec![water], vec![light], Vec3::ZERO).expect("one surface");
+        let eye = vec3(0.0, 2.6, -5.0);
+        let row: Vec<f64> = (0..4000)
+            .map(|i| {
+                let [u, v] = [i % 80, i / 80].map(|i| i as f32 / 100.0 - 0.4);
+                radiance(&scene, eye, vec3(u, v - 0.4, 1.0).normalize())
+            })
+            .collect();
+        let is_speckle = |three: &&[f64]| {
+            let [left, right] = [three[1] - three[0], three[1] - three[2]];
+            left * right > 0.0 && left.abs() > 0.05 && right.abs() > 0.05
+        };
+        let speckles = row.windows(3).filter(is_speckle).count();
+        assert!(speckles <= 8, "{speckles} with {normal}");
+    }
+}

@@ -87,7 +87,8 @@ const BAND: u32 = 64;
 
 impl Picture {
     /// Renders the picture on all cores, and gives `write` the levels of a few whole rows at a
-    /// time, in order from the top. No more of the picture is ever in memory.
+    /// time, in order from the top. No more of the picture is ever in memory. A picture without
+    /// a pixel has no rows.
     ///
     /// # Errors
     /// Those of `write`; nothing more is then rendered.
@@ -96,6 +97,9 @@ impl Picture {
         size: UVec2,
         mut write: impl FnMut(&[[u8; 3]]) -> Result<(), E>,
     ) -> Result<(), E> {
+        if size.x == 0 {
+            return Ok(());
+        }
         let width = size.x as usize;
         let mut band = vec![[0; 3]; width * BAND.min(size.y) as usize];
         for top in (0..size.y).step_by(BAND as usize) {

@@ -39,14 +39,11 @@ impl Plane {
         };
         let first = (along - along.dot(normal) * normal).normalize();
         let second = first.cross(normal);
-        let axes = [
-            first,
-            if second.y + second.z < 0.0 {
-                -second
-            } else {
-                second
-            },
-        ];
+        let is_downwards = match second.y + second.z {
+            0.0 => second.y < 0.0,
+            sum => sum < 0.0,
+        };
+        let axes = [first, if is_downwards { -second } else { second }];
         is_position(point).then_some(Self {
             point,
             normal,

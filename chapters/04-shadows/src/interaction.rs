@@ -9,40 +9,45 @@ use sphere_hit::Sphere;
 
 // ANCHOR: on-surface
 /// A bound of the relative error of a few rounded operations.
-pub const ROUNDING: f32 = 2.0 * f32::EPSILON;
+pub const ROUNDING: f32 = 1.5 * f32::EPSILON;
 
-/// Returns the sum of a point's coordinates, without their signs.
-fn size(point: Vec3) -> f32 {
-    point.abs().element_sum()
-}
-
-/// Returns whether a point lies on a surface, up to rounding.
+/// Returns whether a point lies on a surface, as nearly as f32 can say: by how much rounding
+/// moves a point, or turns a plane, along the normal.
 #[inline]
 #[must_use]
 pub fn is_on_surface(shape: &Shape, point: Vec3) -> bool {
-    match shape {
+    let size = |other: Vec3| point.abs() + other.abs();
+    // In f64 the height has no rounding error of its own.
+    let (height, rounding) = match *shape {
         Shape::Sphere(Sphere { centre, radius }) => {
-            let difference = (point - centre).length() - radius;
-            difference.abs() <= ROUNDING * (size(point) + size(*centre) + radius)
+            let to_point = point.as_dvec3() - centre.as_dvec3();
+            let distance = to_point.length();
+            let normal = (to_point / distance).as_vec3();
+            let size = normal.abs().dot(size(centre)) / 2.0 + radius;
+            (distance - f64::from(radius), size)
         }
         Shape::Plane(plane) => {
-            let height = plane.normal.dot(point - plane.point);
-            height.abs() <= ROUNDING * (size(point) + size(plane.point))
+            let to_point = point.as_dvec3() - plane.point.as_dvec3();
+            let size = 2.0 * plane.normal.abs().dot(size(plane.point));
+            (plane.normal.as_dvec3().dot(to_point), size)
         }
-    }
+    };
+    height.abs() <= f64::from(f32::EPSILON * rounding)
 }
 
 /// Returns whether two surfaces are the same, up to rounding.
 pub(crate) fn is_same(first: &Shape, second: &Shape) -> bool {
+    const CLOSE: f32 = 16.0 * f32::EPSILON;
     match (first, second) {
         (Shape::Sphere(first), Shape::Sphere(second)) => {
-            let tolerance = ROUNDING * (size(first.centre) + first.radius);
-            (first.centre - second.centre).length() <= tolerance
-                && (first.radius - second.radius).abs() <= tolerance
+            let size = first.centre.abs().element_sum() + first.radius;
+            (first.centre - second.centre).length() <= CLOSE * size
+                && (first.radius - second.radius).abs() <= CLOSE * size
         }
-        (Shape::Plane(plane), Shape::Plane(second)) => {
-            plane.normal.cross(second.normal).length() <= ROUNDING
-                && is_on_surface(first, second.point)
+        (Shape::Plane(plane), Shape::Plane(other)) => {
+            plane.normal.cross(other.normal).length() <= CLOSE
+                && (is_on_surface(first, other.point)
+                    || is_on_surface(second, plane.point))
         }
         _ => false,
     }

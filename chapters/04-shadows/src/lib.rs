@@ -49,8 +49,9 @@ pub struct Scene<M> {
     pub background: Vec3,
 }
 
-/// Two objects with one and the same surface, up to rounding, which would decide at every
-/// point which of the two a ray hits.
+/// Two objects with one and the same surface, up to a few roundings, which would decide at
+/// every point which of the two a ray hits. Surfaces that touch, or that come nearly as close
+/// in some place, are not refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoincidentSurfaces(pub [&'static str; 2]);
 

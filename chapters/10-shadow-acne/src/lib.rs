@@ -116,7 +116,7 @@ pub fn from_surface(at: &Interaction, direction: Vec3) -> SurfaceRay {
 }
 
 /// Returns a camera's ray. If the eye lies on the surface of an object, the ray starts on it,
-/// and does not hit it where it starts.
+/// and does not hit it where it starts. Of several such objects it knows the first alone.
 #[inline]
 #[must_use]
 pub fn from_eye<M>(objects: &[Object<M>], ray: Ray) -> SurfaceRay {

@@ -8,11 +8,11 @@ pub use views::STAGE;
 
 use fresnel::{fresnel, scatter};
 use glam::Vec3;
-use plane_hit::{Object, nearest_by};
+use plane_hit::{Object, Shape, nearest_by};
 use reflection::PathBudget;
 use refraction::{Material, Optics};
 use shading::shade;
-use shadow_acne::{SurfaceRay, from_surface};
+use shadow_acne::{SurfaceRay, exit_distance, from_surface};
 use shadows::{Interaction, Scene};
 use sphere_hit::T_MAX;
 // ANCHOR_END: head
@@ -62,34 +62,52 @@ impl Medium {
     }
 }
 
-/// Returns the medium at the origin of a ray, or just beyond the surface on which it starts:
-/// that of the last dielectric in the scene's list that contains the point, since it displaces
-/// the others. `None` if no dielectric does.
+/// Returns the medium at a point: that of the last dielectric in the scene's list whose inside
+/// it is in, since it displaces the others. `None` if no dielectric is there.
+///
+/// `contains` is given an object's index and its shape.
 ///
 /// Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images" (2002); our
 /// priority is the place in the list.
-#[must_use]
-pub fn medium(objects: &[Object<Absorbing>], ray: &SurfaceRay) -> Option<Medium> {
+fn medium(
+    objects: &[Object<Absorbing>],
+    contains: impl Fn(usize, &Shape) -> bool,
+) -> Option<Medium> {
     let objects = objects.iter().enumerate().rev();
-    let mut media = objects.filter_map(|(index, object)| {
-        let Absorbing {
-            material,
-            absorption,
-        } = object.material;
-        let Optics::Dielectric {
-            eta_inside: eta, ..
-        } = material.optics
-        else {
-            return None;
-        };
-        let contains = if ray.origin == Some(index) {
-            ray.enters
-        } else {
-            object.shape.contains(ray.ray.origin)
-        };
-        contains.then_some(Medium { eta, absorption })
-    });
+    let mut media = objects.filter_map(
+        |(
+            index,
+            Object {
+                shape, material, ..
+            },
+        )| {
+            let Optics::Dielectric {
+                eta_inside: eta, ..
+            } = material.material.optics
+            else {
+                return None;
+            };
+            let absorption = material.absorption;
+            contains(index, shape).then_some(Medium { eta, absorption })
+        },
+    );
     media.next()
+}
+
+/// Returns the medium of a stretch of a ray, `distance` long, on which the ray crosses no
+/// surface: that in its middle, as far from the surfaces at its ends as can be.
+#[must_use]
+pub fn medium_along(
+    objects: &[Object<Absorbing>],
+    ray: &SurfaceRay,
+    distance: f32,
+) -> Option<Medium> {
+    let middle = ray.ray.at(0.5 * distance);
+    medium(objects, |index, shape| match shape {
+        // However flat the ray, its side of this plane is known.
+        Shape::Plane(_) if ray.origin == Some(index) => ray.enters,
+        Shape::Sphere(_) | Shape::Plane(_) => shape.contains(middle),
+    })
 }
 // ANCHOR_END: medium
 
@@ -106,10 +124,18 @@ pub fn between_media(objects: &[Object<Absorbing>], at: &Interaction) -> Option<
     let Optics::Dielectric { eta_outside, .. } = optics else {
         return Some(optics);
     };
-    let eta = |side| {
-        medium(objects, &from_surface(at, side)).map_or(eta_outside, |medium| medium.eta)
+    let eta = |is_inside: bool| {
+        let contains = |index, shape: &Shape| {
+            let is_crossed = index == at.index;
+            if is_crossed {
+                is_inside
+            } else {
+                shape.contains(at.point)
+            }
+        };
+        medium(objects, contains).map_or(eta_outside, |medium| medium.eta)
     };
-    let (eta_inside, eta_outside) = (eta(-at.outward), eta(at.outward));
+    let (eta_inside, eta_outside) = (eta(true), eta(false));
     (eta_inside != eta_outside).then_some(Optics::Dielectric {
         eta_inside,
         eta_outside,
@@ -123,6 +149,75 @@ pub fn as_if_alone(objects: &[Object<Absorbing>], at: &Interaction) -> Option<Op
 }
 // ANCHOR_END: interface
 
+// ANCHOR: stretch
+/// A way straight on, through one medium after the other.
+struct Way<'a> {
+    objects: &'a [Object<Absorbing>],
+    /// The rest of the way.
+    ray: SurfaceRay,
+    /// The surfaces that have been crossed: the index of the object, and whether it was
+    /// entered.
+    crossed: Vec<(usize, bool)>,
+    /// The fraction of light that the media so far transmit.
+    transmitted: Vec3,
+}
+
+impl<'a> Way<'a> {
+    fn new(objects: &'a [Object<Absorbing>], ray: &SurfaceRay) -> Self {
+        Self {
+            objects,
+            ray: *ray,
+            crossed: Vec::new(),
+            transmitted: Vec3::ONE,
+        }
+    }
+
+    /// Goes on to the next surface with 0 < t < `t_max` of the objects that `is_met` holds
+    /// for, or to `t_max` if there is none.
+    fn go_on(
+        &mut self,
+        t_max: f32,
+        is_met: impl Fn(&Object<Absorbing>) -> bool,
+    ) -> Option<Interaction> {
+        let hit = nearest_by(self.objects, t_max, |index, object, t_max| {
+            let is_met = is_met(object);
+            is_met.then(|| self.distance(index, &object.shape, t_max))?
+        });
+        let stretch = hit.map_or(t_max, |(_, t)| t);
+        if let Some(medium) = medium_along(self.objects, &self.ray, stretch) {
+            self.transmitted *= medium.transmittance(stretch);
+        }
+        Some(Interaction::new(self.objects, &self.ray.ray, hit?))
+    }
+
+    /// Returns the distance to the object's next surface.
+    ///
+    /// A body is convex: what has been entered is left next, and what has been left is not
+    /// entered again. Where two surfaces touch, rounding would have it otherwise.
+    fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {
+        let mut crossings = self.crossed.iter().rev();
+        let last = crossings.find(|crossing| crossing.0 == index);
+        match (last, shape) {
+            (None, _) => self.ray.distance(index, shape, t_max),
+            (Some((_, true)), Shape::Sphere(sphere)) => {
+                let t = self.ray.distance(index, shape, t_max)?;
+                if sphere.is_entered(&self.ray.ray, t) {
+                    return exit_distance(sphere, &self.ray.ray, t_max);
+                }
+                Some(t)
+            }
+            (Some(_), Shape::Sphere(_) | Shape::Plane(_)) => None,
+        }
+    }
+
+    /// Crosses the surface that has been met.
+    fn cross(&mut self, at: &Interaction) {
+        self.crossed.push((at.index, at.enters()));
+        self.ray = from_surface(at, at.incident);
+    }
+}
+// ANCHOR_END: stretch
+
 // ANCHOR: follow
 /// Follows a ray straight on, to the first hit with a surface that reflects or refracts it.
 /// Returns the fraction of light that the media on the way transmit, and the hit with its
@@ -133,27 +228,31 @@ pub fn follow(
     ray: &SurfaceRay,
     optics_at: OpticsAt,
 ) -> (Vec3, Option<(Interaction, Optics)>) {
-    let objects = &scene.objects;
-    let (mut ray, mut transmitted) = (*ray, Vec3::ONE);
-    // A line crosses each surface twice at the most.
-    for _ in 0..=2 * objects.len() {
-        let hit = ray.intersect(objects);
-        if let Some(medium) = medium(objects, &ray) {
-            transmitted *= medium.transmittance(hit.map_or(T_MAX, |at| at.t));
-        }
-        let Some(at) = hit else {
-            break;
+    let mut way = Way::new(&scene.objects, ray);
+    loop {
+        canvas::count_ray();
+        let Some(at) = way.go_on(T_MAX, |_| true) else {
+            return (way.transmitted, None);
         };
-        if let Some(optics) = optics_at(objects, &at) {
-            return (transmitted, Some((at, optics)));
+        if let Some(optics) = optics_at(&scene.objects, &at) {
+            return (way.transmitted, Some((at, optics)));
         }
-        ray = from_surface(&at, at.incident);
+        way.cross(&at);
     }
-    (transmitted, None)
 }
 // ANCHOR_END: follow
 
 // ANCHOR: through
+/// Returns the shadow ray from a hit towards a light in front of the surface: it starts on the
+/// side from which the ray has come, even if the light lies in the surface.
+#[must_use]
+pub fn shadow_ray(at: &Interaction, to_light: Vec3) -> SurfaceRay {
+    SurfaceRay {
+        enters: !at.enters(),
+        ..from_surface(at, to_light)
+    }
+}
+
 /// Returns the fraction of a light's red, green and blue that arrives along a shadow ray from
 /// `distance` away: 0 if an opaque object occludes it, else what the media between transmit.
 /// Counts one ray.
@@ -165,7 +264,7 @@ pub fn shadow_transmittance(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
     light: Vec3,
-    distance: f32,
+    mut distance: f32,
 ) -> Vec3 {
     canvas::count_ray();
     let objects = &scene.objects;
@@ -181,23 +280,12 @@ pub fn shadow_transmittance(
     if objects.iter().enumerate().any(occludes) {
         return Vec3::ZERO;
     }
-    let (mut ray, mut distance, mut transmitted) = (*ray, distance, Vec3::ONE);
-    for _ in 0..=2 * objects.len() {
-        let hit = nearest_by(objects, distance, |index, object, t_max| {
-            let is_hit = !is_opaque(object);
-            is_hit.then(|| ray.distance(index, &object.shape, t_max))?
-        });
-        if let Some(medium) = medium(objects, &ray) {
-            transmitted *= medium.transmittance(hit.map_or(distance, |(_, t)| t));
-        }
-        let Some(hit) = hit else {
-            break;
-        };
-        let at = Interaction::new(objects, &ray.ray, hit);
-        ray = from_surface(&at, at.incident);
+    let mut way = Way::new(objects, ray);
+    while let Some(at) = way.go_on(distance, |object| !is_opaque(object)) {
         distance -= at.t;
+        way.cross(&at);
     }
-    transmitted
+    way.transmitted
 }
 // ANCHOR_END: through
 
@@ -218,7 +306,7 @@ pub fn trace(
     };
     let phong = &scene.objects[at.index].material.material.phong;
     let mut radiance = shade(phong, &at, &scene.lights, |light, to_light, distance| {
-        let shadow_ray = from_surface(&at, to_light);
+        let shadow_ray = shadow_ray(&at, to_light);
         shadow_transmittance(scene, &shadow_ray, light.position, distance)
     });
     for (weight, direction) in scatter(&optics, &at, fresnel).into_iter().flatten() {

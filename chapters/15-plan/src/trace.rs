@@ -9,7 +9,7 @@ use ray_casting::Ray;
 use shading::shade;
 use shadow_acne::{SurfaceRay, from_eye, from_surface};
 use shadows::PointLight;
-use transparency::{between_media, follow};
+use transparency::{between_media, follow, shadow_ray};
 
 // ANCHOR: sample
 /// A sample of a pixel: the result of a camera ray.
@@ -60,7 +60,7 @@ impl Plan {
                     identity ^= hash_vector(at.uv().floor().extend(0.0));
                 }
                 let visibility = |light: &PointLight, to_light, distance| {
-                    let shadow_ray = spawn(to_light);
+                    let shadow_ray = shadow_ray(&at, to_light);
                     let visible =
                         (self.visibility)(scene, &shadow_ray, light.position, distance);
                     if visible != Vec3::ZERO {
