@@ -50,8 +50,8 @@ pub struct Camera {
 // ANCHOR_END: camera
 
 // ANCHOR: range
-/// The largest coordinate, radius, focal length and length of a direction, and the inverse of
-/// the smallest: from 1e-15 to 1e15 no square, nor a sum of a few, leaves f32's range.
+/// The largest coordinate, radius and focal length. The smallest radius and focal length is
+/// the inverse: from 1e-15 to 1e15 no square, nor a sum of a few, leaves f32's range.
 pub const MAX_LENGTH: f32 = 1e15;
 
 /// Returns whether a number is between 1 / [`MAX_LENGTH`] and [`MAX_LENGTH`]; NaN is not.

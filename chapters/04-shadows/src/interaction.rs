@@ -118,7 +118,8 @@ impl Interaction {
     #[inline]
     #[must_use]
     pub fn is_in_front(&self, light: Vec3) -> bool {
-        // Its height above the plane through the origin, or the centre; and the surface's.
+        // How far the light is along the normal, from the plane's point or the sphere's
+        // centre, and how far the surface is.
         let (height, surface) = match self.shape {
             Shape::Plane(plane) => (plane.normal.dot(light - plane.point), 0.0),
             // A light on the sphere itself is above none of its tangent planes.

@@ -32,7 +32,7 @@ pub const WATER: f32 = 1.33;
 /// Ice's index of refraction.
 pub const ICE: f32 = 1.31;
 
-/// Returns a pool of blue-green water in which a block of ice floats, and in which a ball of
+/// Returns a pool of blue-green water in which a ball of ice floats, and in which a ball of
 /// amber glass with a bubble in it lies on the ground, and a camera above the water.
 ///
 /// Each of them displaces what stands before it in the list: the ice and the glass the water,

@@ -17,7 +17,7 @@ pub struct Packet {
     pub origin: Vec3x16,
     /// Their directions: unit vectors, up to rounding.
     pub direction: Vec3x16,
-    /// The index of the object on whose surface they start; `None` for camera rays.
+    /// The index of the object on whose surface they start, if there is one.
     pub origin_object: Option<usize>,
     /// Mask of the rays that enter that object.
     pub enters: Lanes,

@@ -15,7 +15,7 @@ use transparency::{Absorbing, shadow_transmittance};
 pub struct Plan {
     /// The scene.
     pub scene: Scene<Absorbing>,
-    /// The target for the error of a pixel, in levels; positive.
+    /// The target for the RMS error of the pixels, in levels; positive.
     pub tolerance: f32,
     /// The largest radiance, of the strongest colour, along any ray: a bound if all objects
     /// are opaque, and an estimate if there is glass.
