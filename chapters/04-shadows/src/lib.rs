@@ -124,8 +124,8 @@ fn shadow_ray(at: &Interaction, light: &PointLight) -> Option<(Ray, f32)> {
 }
 
 /// Returns whether the hit of a ray on a shape at `t`, nearer than a light `distance` away,
-/// lies before the light. It does not if the light is on the surface and this is where the ray arrives there:
-/// then rounding alone has put the hit nearer.
+/// lies before the light. It does not if the light is on the surface and this is where the
+/// ray arrives there: then rounding alone has put the hit nearer.
 #[inline]
 #[must_use]
 pub fn is_before_light(
