@@ -77,7 +77,7 @@ fn offset() -> String {
     table(
         [
             ["the point, x₀", t.expect("a hit").to_string().as_str()],
-            ["the offset, h", stored.to_string().as_str()],
+            ["the offset, m", stored.to_string().as_str()],
         ]
         .map(|row| row.map(str::to_string)),
     )
