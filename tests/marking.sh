@@ -4,11 +4,11 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 page=${1:-$root/book/src/teachers.md}
-# Always the same folders: what is built there takes some minutes the first time, and is kept.
 work=$root/target/marking
 rm -rf "$work"/{class,marking,build-script}
 mkdir -p "$work/class"
-export CARGO_TARGET_DIR=$work/target
+# The crates of others are the same for everybody, and are built once.
+export CARGO_TARGET_DIR=$root/target
 
 # The commands of the page: those that are given once, up to the first `cargo test`, and those for each branch.
 commands=$(sed -n '/^\*\*To mark a branch/,/^\*\*Pictures/s/^\$ //p' "$page")
@@ -69,7 +69,7 @@ mark() {
         timeout*)
             # Ten minutes are a teacher's patience, building included. Here it is seconds, without.
             cargo test --quiet --no-run --test reflection >"$work/log" 2>&1 || fail "$1 does not build"
-            eval "${command/10m/60s}" >"$work/log" 2>&1 || code=$? ;;
+            eval "${command/10m/30s}" >"$work/log" 2>&1 || code=$? ;;
         *cargo*) eval "$command" >"$work/log" 2>&1 || code=$? ;;
         *) eval "$command" >/dev/null 2>&1 || fail "$command" ;;
         esac
