@@ -150,11 +150,7 @@ fn a_lamp_in_the_plane_of_a_glossy_floor_makes_no_speckles() {
         for pixel in Pixel::all(UVec2::new(160, 120)) {
             rows.push(radiance(&scene, camera.ray(pixel.centre())));
         }
-        let is_speckle = |three: &&[f32]| {
-            let [left, right] = [three[1] - three[0], three[1] - three[2]];
-            left * right > 0.0 && left.abs() > 0.05 && right.abs() > 0.05
-        };
-        let speckles = rows.windows(3).filter(is_speckle).count();
+        let speckles = harness::speckles(&rows);
         assert!(speckles <= 8, "{speckles}");
     }
 }

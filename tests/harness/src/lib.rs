@@ -15,7 +15,7 @@ pub use numbers::{
 };
 pub use pictures::{
     HERO, SMALL, chapter, check_threads, largest_difference, ray_counts, render,
-    render_at,
+    render_at, speckles,
 };
 pub use rounding::{EPS, bits, ulp};
 pub use snapshots::check_pictures;

@@ -76,3 +76,13 @@ fn render_on(threads: usize, picture: &Picture) -> (Vec<[u32; 3]>, u64) {
     let canvas = pool.install(|| Canvas::render(picture, UVec2::new(160, 120)));
     (canvas.radiance.iter().map(bits).collect(), canvas.rays)
 }
+
+/// Returns how many of `values`, of pixels one after the other, differ by more than 0.05 from
+/// both their neighbours, and to the same side: a highlight has no more than a few of them.
+pub fn speckles(values: &[f32]) -> usize {
+    let is_speckle = |three: &&[f32]| {
+        let [left, right] = [three[1] - three[0], three[1] - three[2]];
+        left * right > 0.0 && left.abs() > 0.05 && right.abs() > 0.05
+    };
+    values.windows(3).filter(is_speckle).count()
+}
