@@ -8,7 +8,7 @@
 mod interactive;
 mod programs;
 
-use canvas::{Canvas, Stage};
+use canvas::{Rendering, Stage};
 use glam::UVec2;
 use std::fmt::Debug;
 use std::fs;
@@ -352,9 +352,9 @@ impl<'a> Shown<'a> {
     }
 
     /// Returns the library's own picture, which the window should show.
-    fn rendered(&self, view: &str, setting: f32, size: UVec2) -> Canvas {
+    fn rendered(&self, view: &str, setting: f32, size: UVec2) -> Rendering {
         let view = self.stage.view(view).expect("a view");
-        Canvas::render(&(view.picture)(setting), size)
+        Rendering::new(&(view.picture)(setting), size)
     }
 }
 

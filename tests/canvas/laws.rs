@@ -1,13 +1,17 @@
 //! The encoding of light, against its definition by a power in f64; and a picture that is
 //! rendered in the background.
 
-use ::canvas::{Canvas, Picture, Pixel, STAGE, decode, spawn_render};
+use ::canvas::{Canvas, Picture, Pixel, Rendering, STAGE, decode, spawn_render, srgb};
 use glam::{UVec2, Vec2, Vec3};
 use harness::bits;
 use oracle::level;
 
+/// Returns the level of linear light: by the formula, and by the table, which must agree.
 fn encode(linear: f32) -> u8 {
-    ::canvas::encode(Vec3::splat(linear))[0]
+    let linear = Vec3::splat(linear);
+    let [level, ..] = ::canvas::encode(linear);
+    assert_eq!(srgb::encode(linear), [level; 3], "{linear}");
+    level
 }
 
 /// Returns the least f32 that the definition encodes to `wanted`: its level, rounded half up.
@@ -71,7 +75,7 @@ fn the_mean_of_up_to_1024_equal_decoded_lights_has_the_same_level() {
 fn a_picture_without_a_pixel_is_an_empty_canvas() {
     let picture = || Picture::new(|_| unreachable!("there is no pixel"));
     for size in [(0, 5), (5, 0), (0, 0)].map(UVec2::from) {
-        let canvas = Canvas::render(&picture(), size);
+        let canvas = Rendering::new(&picture(), size);
         assert_eq!((canvas.size, canvas.rays), (size, 0));
         assert!(canvas.radiance.is_empty() && canvas.levels.is_empty());
         let rows = spawn_render(picture(), size);
@@ -117,8 +121,8 @@ fn a_picture_rendered_in_the_background_is_the_same() {
     let size = UVec2::new(40, 30);
     for view in ::canvas::STAGE.views {
         let picture = || (view.picture)(view.default_setting());
-        let canvas = Canvas::render(&picture(), size);
-        let mut written = Canvas::black(size);
+        let canvas = Rendering::new(&picture(), size);
+        let mut written = Rendering::black(size);
         let mut rows = 0;
         for row in spawn_render(picture(), size) {
             written.write_row(&row);
@@ -154,13 +158,38 @@ fn all_pixels_tile_the_image_plane() {
     );
 }
 
+/// Returns the canvas of the stage's first view.
+fn canvas(size: UVec2) -> Canvas {
+    let picture = (STAGE.hero().picture)(0.0);
+    Canvas::render(size, |pixel| picture.radiance(pixel))
+}
+
 #[test]
-fn a_saved_picture_is_read_again_pixel_for_pixel() {
-    let canvas = Canvas::render(&(STAGE.hero().picture)(0.0), UVec2::new(23, 11));
+fn a_canvas_has_the_levels_of_the_rendering() {
+    for size in [(23, 11), (1, 1), (0, 5), (5, 0)].map(UVec2::from) {
+        let canvas = canvas(size);
+        assert_eq!(canvas.size, size);
+        let rendering = Rendering::new(&(STAGE.hero().picture)(0.0), size);
+        assert_eq!(canvas.levels, rendering.levels);
+    }
+}
+
+#[test]
+fn a_saved_canvas_is_read_again_pixel_for_pixel_and_differs_where_it_is_changed() {
+    let size = UVec2::new(23, 11);
+    let mut saved = canvas(size);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("picture.png");
-    canvas.save(&path).expect("a PNG");
+    saved.save(&path).expect("a PNG");
     let read = image::open(&path).expect("a PNG").into_rgb8();
     assert_eq!(read.dimensions(), (23, 11));
-    assert_eq!(read.into_raw(), canvas.levels.as_flattened());
+    assert_eq!(read.into_raw(), saved.levels.as_flattened());
+
+    assert_eq!(saved.differing(&path).expect("a PNG"), 0);
+    saved.levels[7][2] ^= 1;
+    saved.levels[250] = [1, 2, 3];
+    assert_eq!(saved.differing(&path).expect("a PNG"), 2);
+    let larger = canvas(UVec2::new(11, 23)).differing(&path);
+    assert_eq!(larger.expect("a PNG"), 11 * 23);
+    assert!(saved.differing(folder.path().join("none.png")).is_err());
 }

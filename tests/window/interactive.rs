@@ -38,7 +38,7 @@ fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Vec<[u8; 3]> {
             )
         })
     });
-    Canvas::render(&picture, size).levels
+    Rendering::new(&picture, size).levels
 }
 
 /// Returns the pose that a command line asks for.

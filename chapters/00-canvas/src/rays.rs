@@ -20,8 +20,14 @@ pub fn count_rays(rays: u32) {
 }
 
 /// Returns the number of rays that this thread has counted so far.
-#[must_use]
 pub fn rays_so_far() -> u64 {
     RAYS.get()
+}
+
+/// Returns the number of rays that all threads have counted so far: those of rayon, which
+/// render, and this one.
+pub fn rays_traced() -> u64 {
+    let counts = rayon::broadcast(|_| rays_so_far());
+    rays_so_far() + counts.iter().sum::<u64>()
 }
 // ANCHOR_END: rays

@@ -1,25 +1,11 @@
-//! From linear light to the levels of a screen, exactly.
+//! From linear light to the levels of a screen, by thresholds: as exact as the formula, and
+//! much faster.
 
+use crate::linear;
 use glam::Vec3;
 use std::sync::LazyLock;
 
 // ANCHOR: thresholds
-/// Returns the linear light, from 0 to 1, that sRGB encodes to `encoded`, from 0 to 1.
-///
-/// Source: IEC 61966-2-1, whose encoding is 12.92 v up to v = 0.0031308, and above that
-/// 1.055 v^(1/2.4) − 0.055; this is the inverse.
-#[expect(
-    clippy::disallowed_methods,
-    reason = "no f32 is within 10⁻⁹ of a level of a threshold, and the power is exact to 10⁻¹³"
-)]
-fn linear(encoded: f64) -> f64 {
-    if encoded <= 0.04045 {
-        encoded / 12.92
-    } else {
-        ((encoded + 0.055) / 1.055).powf(2.4)
-    }
-}
-
 /// `THRESHOLDS[i]` is the least f32 that is encoded to level i + 1: a level is 255 times
 /// the encoded value, rounded, so it begins at half a level less.
 static THRESHOLDS: LazyLock<[f32; 255]> = LazyLock::new(|| {
@@ -62,20 +48,7 @@ fn encode_channel(linear: f32) -> u8 {
 /// Returns the sRGB levels of linear light, 0 to 255, correctly rounded.
 ///
 /// Light below 0 and NaN give 0, light above 1 gives 255.
-#[must_use]
 pub fn encode(radiance: Vec3) -> [u8; 3] {
     radiance.to_array().map(encode_channel)
 }
 // ANCHOR_END: encode
-
-// ANCHOR: decode
-/// Returns the linear light in the middle of a `level`: that which sRGB encodes to
-/// `level` / 255.
-///
-/// It is encoded to `level` again, and so is the mean of many such lights, although rounding
-/// moves it a little.
-#[must_use]
-pub fn decode(level: u8) -> f32 {
-    linear(f64::from(level) / 255.0) as f32
-}
-// ANCHOR_END: decode

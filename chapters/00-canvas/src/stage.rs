@@ -66,13 +66,11 @@ impl Stage {
     ///
     /// # Panics
     /// If no view has the name [`Stage::hero`].
-    #[must_use]
     pub fn hero(&self) -> &'static View {
         self.view(self.hero).expect("`hero` names a view")
     }
 
     /// Returns the view called `name`, or `None` if there is no such view.
-    #[must_use]
     pub fn view(&self, name: &str) -> Option<&'static View> {
         self.views.iter().find(|view| view.name == name)
     }
@@ -81,7 +79,6 @@ impl Stage {
     /// `STAGE--VIEW--knob-SETTING`.
     ///
     /// The default setting is not named, and the name holds no dot.
-    #[must_use]
     pub fn picture_name(&self, view: &View, setting: f32) -> String {
         let name = format!("{}--{}", self.name, view.name);
         match &view.knob {
@@ -93,7 +90,6 @@ impl Stage {
     }
 
     /// Returns the beginning of a window's title: stage, view, and the knob's setting.
-    #[must_use]
     pub fn title_of(&self, view: &View, setting: f32) -> String {
         let name = format!("{} | {}", self.name, view.name);
         match &view.knob {
@@ -107,7 +103,6 @@ impl Stage {
 
 impl View {
     /// Returns the knob's default, or 0 if there is no knob.
-    #[must_use]
     pub fn default_setting(&self) -> f32 {
         self.knob.as_ref().map_or(0.0, |knob| knob.default)
     }
@@ -115,14 +110,12 @@ impl View {
 
 impl Knob {
     /// Returns whether `setting` is within the range, and whole if it must be.
-    #[must_use]
     pub fn accepts(&self, setting: f32) -> bool {
         (self.min..=self.max).contains(&setting)
             && (self.scale != Scale::Whole || setting.fract() == 0.0)
     }
 
     /// Returns the next setting up or down, never beyond the range.
-    #[must_use]
     pub fn stepped(&self, setting: f32, up: bool) -> f32 {
         let step = match self.scale {
             Scale::Linear => (self.max - self.min) / 32.0,
@@ -141,7 +134,6 @@ impl Knob {
     }
 
     /// Returns the range in words: `1 to 256, whole`.
-    #[must_use]
     pub fn range(&self) -> String {
         let whole = if self.scale == Scale::Whole {
             ", whole"
@@ -155,7 +147,6 @@ impl Knob {
 
 /// Returns the last part of a path. Of `env!("CARGO_MANIFEST_DIR")` that is the name of the
 /// chapter's folder, so that no source holds the chapter's number.
-#[must_use]
 pub const fn folder_name(path: &'static str) -> &'static str {
     let bytes = path.as_bytes();
     let mut start = bytes.len();

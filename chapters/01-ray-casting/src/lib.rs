@@ -4,8 +4,6 @@
 //! Coordinates are left-handed: x to the right, y up, z away from the viewer.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use glam::{Vec2, Vec3};
 // ANCHOR_END: head
@@ -23,7 +21,6 @@ pub struct Ray {
 impl Ray {
     /// Returns the point at distance `t` along the ray: o + t d.
     #[inline]
-    #[must_use]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + t * self.direction
     }
@@ -56,7 +53,6 @@ pub const MAX_LENGTH: f32 = 1e15;
 
 /// Returns whether a number is between 1 / [`MAX_LENGTH`] and [`MAX_LENGTH`]; NaN is not.
 #[inline]
-#[must_use]
 pub fn is_length(number: f32) -> bool {
     (1.0 / MAX_LENGTH..=MAX_LENGTH).contains(&number)
 }
@@ -64,7 +60,6 @@ pub fn is_length(number: f32) -> bool {
 /// Returns whether all coordinates of a point are between −[`MAX_LENGTH`] and
 /// [`MAX_LENGTH`]; NaN is not.
 #[inline]
-#[must_use]
 pub fn is_position(point: Vec3) -> bool {
     point.abs().cmple(Vec3::splat(MAX_LENGTH)).all()
 }
@@ -75,7 +70,6 @@ pub fn is_position(point: Vec3) -> bool {
 /// square of its length underflows or overflows f32 (a length below 1.1e-19 or above
 /// 1.8e19).
 #[inline]
-#[must_use]
 pub fn checked_normalize(vector: Vec3) -> Option<Vec3> {
     let is_normalizable = vector.length_squared().is_normal();
     is_normalizable.then(|| vector.normalize())
@@ -94,7 +88,6 @@ impl Camera {
     /// Neither direction need be a unit vector. `None` if a direction cannot be normalised
     /// ([`checked_normalize`]), if `forward` is parallel to `up`, or if the eye or the focal
     /// length is out of range ([`is_position`], [`is_length`]).
-    #[must_use]
     pub fn new(eye: Vec3, forward: Vec3, up: Vec3, focal_length: f32) -> Option<Self> {
         if !(is_position(eye) && is_length(focal_length)) {
             return None;
@@ -114,14 +107,15 @@ impl Camera {
             focal_length,
         })
     }
-    // ANCHOR_END: new
+}
+// ANCHOR_END: new
 
-    // ANCHOR: cast
+// ANCHOR: cast
+impl Camera {
     /// Returns the ray from the eye through a `point` of the image plane.
     ///
     /// Source: the lecture's "Ray Tracing Basics" slide.
     #[inline]
-    #[must_use]
     pub fn ray(&self, point: Vec2) -> Ray {
         let direction =
             point.x * self.right + point.y * self.up + self.focal_length * self.forward;
@@ -141,9 +135,14 @@ pub const SKY: Vec3 = Vec3::new(0.2, 0.5, 0.8);
 pub const GROUND: Vec3 = Vec3::new(0.25, 0.2, 0.15);
 
 /// Returns the radiance along a ray in an empty world: sky above the horizon, ground below.
-#[must_use]
 pub fn trace(ray: &Ray) -> Vec3 {
     canvas::count_ray();
     if ray.direction.y > 0.0 { SKY } else { GROUND }
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

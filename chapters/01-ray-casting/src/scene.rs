@@ -8,7 +8,6 @@ use glam::Vec3;
 pub const STILL_LIFE_FOCAL_LENGTH: f32 = 1.0 + std::f32::consts::SQRT_2;
 
 /// Returns the still life's camera.
-#[must_use]
 pub fn still_life_camera() -> Camera {
     let eye = Vec3::new(0.0, 2.0, -7.0);
     let forward = Vec3::new(0.0, -1.1, 7.0);

@@ -50,7 +50,6 @@ fn with_focal_length(focal_length: f32) -> Camera {
 }
 
 /// Returns the picture of each camera ray's direction as a colour.
-#[must_use]
 pub fn directions(camera: Camera) -> Picture {
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());

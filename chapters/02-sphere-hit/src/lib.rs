@@ -2,9 +2,6 @@
 //! The intersection of a ray and a sphere: the textbook's formula, how it fails, and a
 //! stable one.
 
-pub mod views;
-pub use views::STAGE;
-
 use glam::{DVec3, Vec3};
 use ray_casting::{MAX_LENGTH, Ray, checked_normalize, is_length, is_position};
 // ANCHOR_END: head
@@ -22,7 +19,6 @@ pub struct Sphere {
 impl Sphere {
     /// Returns a sphere. `None` if the centre or the radius is out of range ([`is_position`],
     /// [`is_length`]).
-    #[must_use]
     pub fn new(centre: Vec3, radius: f32) -> Option<Self> {
         let is_valid = is_position(centre) && is_length(radius);
         is_valid.then_some(Self { centre, radius })
@@ -53,7 +49,6 @@ impl Sphere {
     /// wrong: [`Sphere::distance`] is better.
     ///
     /// Source: the lecture's "Sphere-Ray intersection" slides.
-    #[must_use]
     pub fn distance_quadratic(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let oc = ray.origin - self.centre;
         let b = ray.direction.dot(oc);
@@ -82,7 +77,6 @@ impl Sphere {
     /// Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems (2019), ch. 7.
     #[inline]
-    #[must_use]
     pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let oc = ray.origin - self.centre;
         let d_dot_d = ray.direction.dot(ray.direction);
@@ -110,7 +104,6 @@ impl Sphere {
     /// The order of the two hits tells, not the normal: for a ray that only grazes the sphere,
     /// rounding decides whether the angle between the two is obtuse.
     #[inline]
-    #[must_use]
     pub fn is_entered(&self, ray: &Ray, t: f32) -> bool {
         let oc = ray.origin - self.centre;
         t <= -ray.direction.dot(oc) / ray.direction.dot(ray.direction)
@@ -125,7 +118,6 @@ impl Sphere {
     /// [`Vec3::Y`] if rounding has put the point into the centre, or so far away that the
     /// squares overflow: then a hit is not lost because it has no normal.
     #[inline]
-    #[must_use]
     pub fn normal(&self, point: Vec3) -> Vec3 {
         // Dividing by the radius first keeps the squares in range for the smallest and
         // largest spheres.
@@ -150,7 +142,6 @@ impl Sphere {
     ///
     /// Up to a distance of 10⁷ radii, `t` is within a unit in its last place, and the normal
     /// within 10⁻⁷ radians.
-    #[must_use]
     pub fn hit_in_f64(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let direction = ray.direction.as_dvec3();
         let oc = ray.origin.as_dvec3() - self.centre.as_dvec3();
@@ -182,7 +173,6 @@ impl Sphere {
 ///
 /// Source: the OpenGL Shading Language's `faceforward`.
 #[inline]
-#[must_use]
 pub fn face_forward(normal: Vec3, incident: Vec3) -> Vec3 {
     if normal.dot(incident) > 0.0 {
         -normal
@@ -191,3 +181,9 @@ pub fn face_forward(normal: Vec3, incident: Vec3) -> Vec3 {
     }
 }
 // ANCHOR_END: face-forward
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -73,14 +73,12 @@ fn normal_as_colour(normal: Vec3) -> Vec3 {
 }
 
 /// Returns the first sphere's flat colour; the normal is ignored.
-#[must_use]
 pub fn red(_: Vec3) -> Vec3 {
     Vec3::new(0.9, 0.15, 0.1)
 }
 
 /// Returns the picture of the still life's first sphere in an empty world; its colour may
 /// depend on the normal.
-#[must_use]
 pub fn first_sphere(camera: Camera, colour: fn(Vec3) -> Vec3) -> Picture {
     let sphere = Sphere::new(Vec3::new(-2.2, 0.8, 1.0), 0.8).expect("a sphere");
     Picture::new(move |pixel| {
@@ -136,7 +134,6 @@ fn cross_section(height: f32) -> Picture {
 }
 
 /// Returns a ray in the plane of a drawing, z = 0.
-#[must_use]
 pub fn ray_on_paper(origin: Vec2, direction: Vec2) -> Ray {
     Ray {
         origin: origin.extend(0.0),

@@ -2,8 +2,6 @@
 //! A floor, and the nearest of many objects.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use glam::{Vec2, Vec3, Vec3Swizzles};
 use ray_casting::{Ray, SKY, checked_normalize, is_position};
@@ -29,7 +27,6 @@ impl Plane {
     /// The first axis is as close to x as the plane allows, or to z if the normal is close to
     /// x; the second points upwards, or away from the viewer in a floor. So the axes of a
     /// horizontal plane are x and z, and those of a plane and of its other side are the same.
-    #[must_use]
     pub fn new(point: Vec3, normal: Vec3) -> Option<Self> {
         let normal = checked_normalize(normal)?;
         let along = if normal.x.abs() < 0.9 {
@@ -53,7 +50,6 @@ impl Plane {
 
     /// Returns the two coordinates of a `point` of the plane.
     #[inline]
-    #[must_use]
     pub fn uv(&self, point: Vec3) -> Vec2 {
         let from_origin = point - self.point;
         let [u, v] = self.axes.map(|axis| from_origin.dot(axis));
@@ -71,7 +67,6 @@ impl Plane {
     ///
     /// Source: the lecture's "Plane-Ray intersection" slides.
     #[inline]
-    #[must_use]
     pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         let t =
             (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
@@ -107,7 +102,6 @@ impl Shape {
     ///
     /// # Panics
     /// If [`Sphere::new`] returns `None`.
-    #[must_use]
     pub fn sphere(centre: Vec3, radius: f32) -> Self {
         Self::Sphere(Sphere::new(centre, radius).expect("a valid sphere"))
     }
@@ -116,14 +110,12 @@ impl Shape {
     ///
     /// # Panics
     /// If [`Plane::new`] returns `None`.
-    #[must_use]
     pub fn plane(point: Vec3, normal: Vec3) -> Self {
         Self::Plane(Plane::new(point, normal).expect("a valid plane"))
     }
 
     /// Returns the distance to the first hit with 0 < t < `t_max`. `None` if there is none.
     #[inline]
-    #[must_use]
     pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
         match self {
             Self::Sphere(sphere) => sphere.distance(ray, t_max),
@@ -134,7 +126,6 @@ impl Shape {
     /// Returns whether a hit at distance `t`, as found by [`Shape::distance`], is one where the
     /// ray enters the shape; a plane's inside is the side from which its normal points away.
     #[inline]
-    #[must_use]
     pub fn is_entered(&self, ray: &Ray, t: f32) -> bool {
         match self {
             Self::Sphere(sphere) => sphere.is_entered(ray, t),
@@ -144,7 +135,6 @@ impl Shape {
 
     /// Returns whether a point lies inside: in the ball, or behind the plane.
     #[inline]
-    #[must_use]
     pub fn contains(&self, point: Vec3) -> bool {
         match self {
             Self::Sphere(Sphere { centre, radius }) => {
@@ -156,7 +146,6 @@ impl Shape {
 
     /// Returns the outward unit normal at a `point` of the surface.
     #[inline]
-    #[must_use]
     pub fn normal(&self, point: Vec3) -> Vec3 {
         match self {
             Self::Sphere(sphere) => sphere.normal(point),
@@ -167,7 +156,6 @@ impl Shape {
     /// Returns two coordinates of a `point` of the surface, by which a pattern on it is drawn:
     /// the plane's own ones, or x and z from the sphere's centre.
     #[inline]
-    #[must_use]
     pub fn uv(&self, point: Vec3) -> Vec2 {
         match self {
             Self::Sphere(sphere) => (point - sphere.centre).xz(),
@@ -194,7 +182,6 @@ impl<M> Object<M> {
 ///
 /// Of several objects at the same distance, the first in the list is returned.
 #[inline]
-#[must_use]
 pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
     canvas::count_ray();
     nearest_by(objects, T_MAX, |_, object, t_max| {
@@ -206,7 +193,6 @@ pub fn nearest<M>(objects: &[Object<M>], ray: &Ray) -> Option<(usize, f32)> {
 /// `distance` intersects: a function from an object's index, the object and the distance of
 /// the nearest hit so far to that of the object's first hit before it. Counts no ray.
 #[inline]
-#[must_use]
 pub fn nearest_by<M>(
     objects: &[Object<M>],
     mut t_max: f32,
@@ -230,7 +216,6 @@ pub fn nearest_by<M>(
 /// The parity is calculated in floats: no integer holds the numbers of the squares near the
 /// horizon.
 #[inline]
-#[must_use]
 pub fn is_even(uv: Vec2) -> bool {
     let sum = uv.x.floor() + uv.y.floor();
     sum - 2.0 * (sum / 2.0).floor() == 0.0
@@ -239,7 +224,6 @@ pub fn is_even(uv: Vec2) -> bool {
 /// Returns whether a point lies in an even cube of a three-dimensional checkerboard. Used for
 /// a floor, this is a bug: at a whole height, rounding puts `point.y` above or below it, and
 /// `floor` gives two different numbers.
-#[must_use]
 pub fn is_even_in_space(point: Vec3) -> bool {
     let sum = point.x.floor() + point.y.floor() + point.z.floor();
     sum - 2.0 * (sum / 2.0).floor() == 0.0
@@ -260,7 +244,6 @@ impl Texture {
     /// Returns the colour at a point of the surface, given by its two coordinates there
     /// ([`Shape::uv`]).
     #[inline]
-    #[must_use]
     pub fn value(&self, uv: Vec2) -> Vec3 {
         match *self {
             Self::Checker(_, odd) if !is_even(uv) => odd,
@@ -272,7 +255,6 @@ impl Texture {
 
 // ANCHOR: trace
 /// Returns the flat colour of the first object that the ray hits, or the sky's.
-#[must_use]
 pub fn trace(objects: &[Object<Texture>], ray: &Ray) -> Vec3 {
     match nearest(objects, ray) {
         Some((index, t)) => {
@@ -285,3 +267,9 @@ pub fn trace(objects: &[Object<Texture>], ray: &Ray) -> Vec3 {
     }
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -6,7 +6,6 @@ use glam::Vec3;
 // ANCHOR: still-life
 /// Returns five spheres on a floor, made of `materials`: floor, red, mirror, green, blue,
 /// glass.
-#[must_use]
 pub fn still_life<M>(materials: [M; 6]) -> Vec<Object<M>> {
     let sphere = |x, y, z, radius| Shape::sphere(Vec3::new(x, y, z), radius);
     let shapes = [

@@ -57,7 +57,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the picture of the still life in flat colours.
-#[must_use]
 pub fn flat(camera: Camera) -> Picture {
     let objects = still_life(STILL_LIFE_COLOURS);
     Picture::new(move |pixel| trace(&objects, &camera.ray(pixel.centre())))

@@ -14,7 +14,6 @@ pub const ROUNDING: f32 = 1.5 * f32::EPSILON;
 /// Returns whether a point lies on a surface, as nearly as f32 can say: by how much rounding
 /// moves a point, or turns a plane, along the normal.
 #[inline]
-#[must_use]
 pub fn is_on_surface(shape: &Shape, point: Vec3) -> bool {
     let size = |other: Vec3| point.abs() + other.abs();
     // In f64 the height has no rounding error of its own.
@@ -85,7 +84,6 @@ impl Interaction {
     /// Returns the interaction of `ray` with the object that it hits: its index, and the
     /// distance.
     #[inline]
-    #[must_use]
     pub fn new<M>(objects: &[Object<M>], ray: &Ray, (index, t): (usize, f32)) -> Self {
         let shape = objects[index].shape;
         let point = ray.at(t);
@@ -116,7 +114,6 @@ impl Interaction {
     /// The surface decides, and not the computed point, which rounding puts above or below it:
     /// a light in the plane of a floor is in front of no point of the floor, or of all.
     #[inline]
-    #[must_use]
     pub fn is_in_front(&self, light: Vec3) -> bool {
         // How far the light is along the normal, from the plane's point or the sphere's
         // centre, and how far the surface is.
@@ -137,14 +134,12 @@ impl Interaction {
 
     /// Returns whether the ray enters the object here; otherwise it leaves it.
     #[inline]
-    #[must_use]
     pub fn enters(&self) -> bool {
         self.normal == self.outward
     }
 
     /// Returns the hit point's two coordinates on the surface.
     #[inline]
-    #[must_use]
     pub fn uv(&self) -> Vec2 {
         self.shape.uv(self.point)
     }

@@ -4,9 +4,7 @@
 
 mod interaction;
 pub mod scene;
-pub mod views;
 pub use interaction::{Interaction, MIN_COS_THETA, ROUNDING, is_on_surface};
-pub use views::STAGE;
 
 use glam::Vec3;
 use interaction::is_same;
@@ -28,7 +26,6 @@ pub struct PointLight {
 impl PointLight {
     /// Returns a light. `None` if its position is out of range ([`is_position`]), or its
     /// intensity not between 0 and [`MAX_LENGTH`].
-    #[must_use]
     pub fn new(position: Vec3, intensity: f32) -> Option<Self> {
         let is_valid = is_position(position) && (0.0..=MAX_LENGTH).contains(&intensity);
         is_valid.then_some(Self {
@@ -127,7 +124,6 @@ fn shadow_ray(at: &Interaction, light: &PointLight) -> Option<(Ray, f32)> {
 /// lies before the light. It does not if the light is on the surface and this is where the
 /// ray arrives there: then rounding alone has put the hit nearer.
 #[inline]
-#[must_use]
 pub fn is_before_light(
     shape: &Shape,
     ray: &Ray,
@@ -141,7 +137,6 @@ pub fn is_before_light(
 
 /// Returns whether any object is between a ray's origin and a light, which is `distance` away;
 /// the first one found ends the search. Counts one ray.
-#[must_use]
 pub fn is_occluded<M>(
     objects: &[Object<M>],
     ray: &Ray,
@@ -160,7 +155,6 @@ pub fn is_occluded<M>(
 /// Returns whether a light is visible from a hit.
 ///
 /// Source: the lecture's "Now with Shadows" slide.
-#[must_use]
 pub fn is_visible<M>(scene: &Scene<M>, at: &Interaction, light: &PointLight) -> bool {
     shadow_ray(at, light).is_some_and(|(ray, distance)| {
         !is_occluded(&scene.objects, &ray, light.position, distance)
@@ -171,7 +165,6 @@ pub fn is_visible<M>(scene: &Scene<M>, at: &Interaction, light: &PointLight) -> 
 // ANCHOR: buggy
 /// Returns whether a light is visible from a hit, with the lecture's bug: an object beyond
 /// the light occludes it, too.
-#[must_use]
 pub fn is_visible_buggy<M>(
     scene: &Scene<M>,
     at: &Interaction,
@@ -187,7 +180,6 @@ pub type Visibility<M> = fn(&Scene<M>, &Interaction, &PointLight) -> bool;
 
 /// Returns the flat colour of the first object that the ray hits, times the intensity of the
 /// lights that are visible from there; or the background.
-#[must_use]
 pub fn trace(scene: &Scene<Texture>, ray: &Ray, is_visible: Visibility<Texture>) -> Vec3 {
     let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
@@ -202,3 +194,9 @@ pub fn trace(scene: &Scene<Texture>, ray: &Ray, is_visible: Visibility<Texture>)
     intensity * scene.objects[at.index].material.value(at.uv())
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

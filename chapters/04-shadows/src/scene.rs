@@ -10,7 +10,6 @@ use ray_casting::SKY;
 ///
 /// # Panics
 /// Never: both lights are valid, and no two objects have the same surface.
-#[must_use]
 pub fn lit_still_life<M>(materials: [M; 6]) -> Scene<M> {
     let light = |x, y, z, intensity| {
         PointLight::new(Vec3::new(x, y, z), intensity).expect("a valid light")

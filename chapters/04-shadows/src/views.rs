@@ -52,7 +52,6 @@ fn picture_of(
 }
 
 /// Returns the picture of the still life with the shadows that `is_visible` finds.
-#[must_use]
 pub fn still_life_by(camera: Camera, is_visible: Visibility<Texture>) -> Picture {
     picture_of(lit_still_life(STILL_LIFE_COLOURS), camera, is_visible)
 }

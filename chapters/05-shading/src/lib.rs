@@ -2,8 +2,6 @@
 //! Let there be light: ambient, diffuse and specular reflection, by Phong's model.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use glam::Vec3;
 use plane_hit::{Texture, nearest};
@@ -40,7 +38,6 @@ pub struct Phong {
 ///
 /// Source: Knuth, The Art of Computer Programming, vol. 2, 4.6.3.
 #[inline]
-#[must_use]
 pub fn powi<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T {
     let mut result = T::from(1.0);
     let mut square = base;
@@ -66,7 +63,6 @@ pub fn powi<T: Copy + From<f32> + Mul<Output = T>>(base: T, exponent: u32) -> T 
 ///
 /// Source: Phong 1975; the lecture's "Shading" slides.
 #[inline]
-#[must_use]
 pub fn phong(surface: &Phong, colour: Vec3, at: &Interaction, to_light: Vec3) -> Vec3 {
     let cos_theta_l = from_0_to_1(at.normal.dot(to_light));
     let diffuse = surface.diffuse * cos_theta_l * colour;
@@ -98,7 +94,6 @@ fn from_0_to_1(cos: f32) -> f32 {
 /// it is occluded. It is not called for a light behind the surface, nor for one of which the
 /// surface would reflect nothing, so that no ray is traced that could not matter.
 #[inline]
-#[must_use]
 pub fn shade<'a>(
     surface: &Phong,
     at: &Interaction,
@@ -126,7 +121,6 @@ pub fn shade<'a>(
 // ANCHOR: trace
 /// Returns the radiance along a ray: that of the surface that it hits first, or the
 /// background.
-#[must_use]
 pub fn trace(scene: &Scene<Phong>, ray: &Ray) -> Vec3 {
     let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
@@ -138,3 +132,9 @@ pub fn trace(scene: &Scene<Phong>, ray: &Ray) -> Vec3 {
     })
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -6,7 +6,6 @@ use plane_hit::scene::STILL_LIFE_COLOURS;
 // ANCHOR: surfaces
 /// Returns the still life's surfaces: floor, red, mirror, green, blue, glass. Until they have
 /// their own chapters, the mirror and the glass are of plastic.
-#[must_use]
 pub fn still_life_surfaces() -> [Phong; 6] {
     let [floor, red, mirror, green, blue, glass] = STILL_LIFE_COLOURS;
     let phong = |colour, specular, shininess| Phong {

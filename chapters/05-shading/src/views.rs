@@ -69,7 +69,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the picture of the still life with every surface changed by `change`.
-#[must_use]
 pub fn still_life_of(camera: Camera, change: impl Fn(Phong) -> Phong) -> Picture {
     let scene = lit_still_life(still_life_surfaces().map(change));
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre())))

@@ -2,8 +2,6 @@
 //! Mirrors: a ray that hits one is reflected, R = I − 2(N·I)N.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use glam::Vec3;
 use plane_hit::nearest;
@@ -22,7 +20,6 @@ use sphere_hit::Sphere;
 ///
 /// Source: the lecture's "Reflections" slide.
 #[inline]
-#[must_use]
 pub fn reflect_unnormalized(incident: Vec3, normal: Vec3) -> Vec3 {
     incident - 2.0 * normal.dot(incident) * normal
 }
@@ -36,7 +33,6 @@ pub fn reflect_unnormalized(incident: Vec3, normal: Vec3) -> Vec3 {
 ///
 /// Source: the lecture's "Reflections" slide; Whitted 1980.
 #[inline]
-#[must_use]
 pub fn reflect(incident: Vec3, normal: Vec3) -> Vec3 {
     reflect_unnormalized(incident, normal).normalize()
 }
@@ -48,7 +44,6 @@ pub fn reflect(incident: Vec3, normal: Vec3) -> Vec3 {
 ///
 /// The ray must start on the sphere and point inwards. The result starts on the sphere
 /// again, up to rounding.
-#[must_use]
 pub fn bounce_inside(sphere: &Sphere, ray: &Ray, reflect: fn(Vec3, Vec3) -> Vec3) -> Ray {
     let oc = ray.origin - sphere.centre;
     let b = ray.direction.dot(oc);
@@ -88,7 +83,6 @@ pub struct PathBudget {
 impl PathBudget {
     /// Returns the budget of a camera ray: `depth` bounces, or [`MAX_DEPTH`] if that is less,
     /// and [`MIN_THROUGHPUT`].
-    #[must_use]
     pub fn new(depth: u32) -> Self {
         Self {
             depth: depth.min(MAX_DEPTH),
@@ -101,7 +95,6 @@ impl PathBudget {
     /// light. `None` if no bounce is left, or if the new throughput is at most
     /// `min_throughput` or NaN.
     #[inline]
-    #[must_use]
     pub fn attenuated(self, coefficient: f32) -> Option<Self> {
         let throughput = self.throughput * coefficient;
         let is_traced = self.depth > 0 && throughput > self.min_throughput;
@@ -128,7 +121,6 @@ pub struct Mirror {
 /// reflected in it, or the background.
 ///
 /// Source: Whitted, "An Improved Illumination Model for Shaded Display" (1980).
-#[must_use]
 pub fn trace(scene: &Scene<Mirror>, ray: &Ray, budget: PathBudget) -> Vec3 {
     let Some(hit) = nearest(&scene.objects, ray) else {
         return scene.background;
@@ -151,3 +143,9 @@ pub fn trace(scene: &Scene<Mirror>, ray: &Ray, budget: PathBudget) -> Vec3 {
     radiance + *reflectivity * trace(scene, &reflected, budget)
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

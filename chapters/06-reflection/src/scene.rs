@@ -11,7 +11,6 @@ use shadows::{PointLight, Scene};
 // ANCHOR: mirrors
 /// Returns the still life's surfaces with the mirror and a little reflectivity of the green
 /// ball. The glass is still of plastic.
-#[must_use]
 pub fn still_life_mirrors() -> [Mirror; 6] {
     let [floor, red, _, green, blue, glass] = still_life_surfaces();
     let mirror = Phong {
@@ -39,7 +38,6 @@ pub fn still_life_mirrors() -> [Mirror; 6] {
 // ANCHOR: facing
 /// Returns a scene of a ball between two mirror walls of some reflectivity, and a camera
 /// between them.
-#[must_use]
 pub fn facing_mirrors(reflectivity: f32) -> (Scene<Mirror>, Camera) {
     let plain = |colour| Phong {
         colour,

@@ -63,7 +63,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the knob of the greatest number of bounces.
-#[must_use]
 pub const fn depth_knob(default: u32, snapshot_settings: &'static [f32]) -> Knob {
     Knob {
         name: "depth",
@@ -87,7 +86,6 @@ const BOUNCES: Knob = Knob {
 };
 
 /// Returns the picture of a scene with mirrors, each ray followed for `depth` bounces.
-#[must_use]
 pub fn picture_of(scene: Scene<Mirror>, camera: Camera, depth: f32) -> Picture {
     let budget = PathBudget::new(depth as u32);
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), budget))

@@ -3,8 +3,6 @@
 //! cannot leave at all.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use glam::Vec3;
 use plane_hit::nearest;
@@ -24,7 +22,6 @@ use sphere_hit::face_forward;
 ///
 /// Source: the lecture's "Refractions" slide.
 #[inline]
-#[must_use]
 pub fn refract(incident: Vec3, normal: Vec3, eta: f32) -> Option<Vec3> {
     if eta == 1.0 {
         return Some(incident);
@@ -56,7 +53,6 @@ impl Interface {
     /// Returns the indices for a ray that enters or leaves an object, by the index inside
     /// and that outside.
     #[inline]
-    #[must_use]
     pub fn new(at: &Interaction, eta_inside: f32, eta_outside: f32) -> Self {
         let (eta_i, eta_t) = if at.enters() {
             (eta_outside, eta_inside)
@@ -71,7 +67,6 @@ impl Interface {
 // ANCHOR: refract-or-reflect
 /// Returns the weight and the unit direction of the ray that a dielectric scatters: the
 /// refracted one, or under total internal reflection the reflected one.
-#[must_use]
 pub fn refract_or_reflect(
     at: &Interaction,
     eta_inside: f32,
@@ -86,7 +81,6 @@ pub fn refract_or_reflect(
 
 // ANCHOR: failed
 /// Refracts with a bug: the ratio of the indices is not inverted when the ray leaves.
-#[must_use]
 pub fn refract_without_inverting(
     at: &Interaction,
     eta_inside: f32,
@@ -98,7 +92,6 @@ pub fn refract_without_inverting(
 }
 
 /// Refracts with a bug: under total internal reflection the light is lost.
-#[must_use]
 pub fn refract_without_total_reflection(
     at: &Interaction,
     eta_inside: f32,
@@ -150,7 +143,6 @@ pub type Transmission = fn(&Interaction, f32, f32) -> (f32, Vec3);
 
 /// Returns the radiance along a ray: that of the surface that it hits first and what is seen
 /// in it or through it, or the background.
-#[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     ray: &Ray,
@@ -183,7 +175,6 @@ pub fn trace(
 
 /// Returns the ray from a hit in a unit `direction`, its origin moved by [`SHADOW_BIAS`] to
 /// the side of the surface to which the direction points.
-#[must_use]
 pub fn spawn_ray(at: &Interaction, direction: Vec3) -> Ray {
     Ray {
         origin: at.point + SHADOW_BIAS * face_forward(at.outward, -direction),
@@ -191,3 +182,9 @@ pub fn spawn_ray(at: &Interaction, direction: Vec3) -> Ray {
     }
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

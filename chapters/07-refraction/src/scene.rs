@@ -18,7 +18,6 @@ pub const GLASS: f32 = 1.5;
 
 /// Returns the still life with its last ball of a dielectric, with an index of refraction
 /// inside and another all around it.
-#[must_use]
 pub fn still_life_with_glass(eta_inside: f32, eta_outside: f32) -> Scene<Material> {
     let [floor, red, mirror, green, blue, _] = still_life_mirrors().map(opaque);
     // A clear ball reflects nothing diffusely. Of the lights it shows the highlights alone.
@@ -38,7 +37,6 @@ pub fn still_life_with_glass(eta_inside: f32, eta_outside: f32) -> Scene<Materia
 }
 
 /// Returns the same surface as an opaque material.
-#[must_use]
 pub fn opaque(mirror: Mirror) -> Material {
     let Mirror {
         phong,
@@ -51,7 +49,6 @@ pub fn opaque(mirror: Mirror) -> Material {
 
 // ANCHOR: close-up
 /// Returns a camera that looks at the ball of glass from nearby.
-#[must_use]
 pub fn close_up() -> Camera {
     let eye = Vec3::new(0.7, 1.2, -4.2);
     let towards = Vec3::new(0.9, 0.6, -1.2) - eye;

@@ -56,7 +56,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the knob of an object's index of refraction.
-#[must_use]
 pub const fn eta_knob(snapshot_settings: &'static [f32]) -> Knob {
     Knob {
         name: "index",
@@ -71,7 +70,6 @@ pub const fn eta_knob(snapshot_settings: &'static [f32]) -> Knob {
 
 /// Returns the picture of the still life with glass of the given indices, which scatters
 /// rays as `transmission` says.
-#[must_use]
 pub fn picture_of(
     eta_inside: f32,
     eta_outside: f32,

@@ -1,9 +1,6 @@
 // ANCHOR: head
 //! Fresnel: the fraction of light that an interface reflects; it transmits the rest.
 
-pub mod views;
-pub use views::STAGE;
-
 use glam::Vec3;
 use plane_hit::nearest;
 use ray_casting::Ray;
@@ -23,7 +20,6 @@ use shadows::{Interaction, Scene, is_visible};
 ///
 /// Source: Hecht, Optics, 4.6; the lecture's "Fresnel" slide.
 #[inline]
-#[must_use]
 pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
     // Without this, an invisible ball would sparkle: 0/0 at grazing angles.
     if eta_i == eta_t {
@@ -55,7 +51,6 @@ pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 /// hundredths at most. On leaving the medium, total reflection is missed.
 ///
 /// Source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering" (1994).
-#[must_use]
 pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
     let r = (eta_i - eta_t) / (eta_i + eta_t);
     let r0 = r * r;
@@ -70,7 +65,6 @@ pub type Reflectance = fn(f32, f32, f32) -> f32;
 /// Returns the reflected and the transmitted ray of a hit, each as a weight and a unit
 /// direction. `None` if there is no such ray. A weight may be 0.
 #[inline]
-#[must_use]
 pub fn scatter(
     optics: &Optics,
     at: &Interaction,
@@ -108,7 +102,6 @@ pub fn scatter(
 // ANCHOR: trace
 /// Returns the radiance along a ray: that of the surface that it hits first, and what is seen
 /// in it and through it; or the background.
-#[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     ray: &Ray,
@@ -133,3 +126,9 @@ pub fn trace(
     radiance
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -50,7 +50,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the picture of the still life with glass of the given indices and `reflectance`.
-#[must_use]
 pub fn picture_of(
     eta_inside: f32,
     eta_outside: f32,

@@ -3,8 +3,6 @@
 
 pub mod scene;
 pub mod sobol;
-pub mod views;
-pub use views::STAGE;
 
 use canvas::{Pixel, decode, encode};
 use glam::{UVec2, Vec2, Vec3};
@@ -48,7 +46,6 @@ pub type Sampler = fn(Pixel, u32, &dyn Fn(Vec2) -> Vec3) -> Vec3;
 /// `radiance` is the radiance at a point of the image plane.
 ///
 /// Source: the lecture's "Anti-Aliasing" slides, whose depth is our n.
-#[must_use]
 pub fn regular(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     mean(stratified_points(pixel, n, |_| Vec2::splat(0.5)), radiance)
 }
@@ -62,7 +59,6 @@ pub fn regular(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
 /// the same.
 ///
 /// Source: Cook, "Stochastic Sampling in Computer Graphics" (1986).
-#[must_use]
 pub fn jittered(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     mean(stratified_points(pixel, n, |i| jitter(pixel, i)), radiance)
 }
@@ -81,7 +77,6 @@ fn jitter(pixel: Pixel, sample: u32) -> Vec2 {
 ///
 /// Source: the multipliers and shifts are TheIronBorn's, in Chris Wellons's hash-prospector.
 #[inline]
-#[must_use]
 pub fn hash(mut x: u32) -> u32 {
     x = x.wrapping_add(0x9e37_79b9);
     x ^= x >> 16;
@@ -105,7 +100,6 @@ pub const CONTRAST_THRESHOLD: u8 = 8;
 /// Features smaller than the distance of the first four samples can be missed.
 ///
 /// Source: Whitted 1980, with the pixel's own samples in place of its corners.
-#[must_use]
 pub fn adaptive(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     let points = stratified_points(pixel, 2, |i| jitter(pixel, i));
     let samples: Vec<Vec3> = points.map(radiance).collect();
@@ -129,7 +123,6 @@ pub fn adaptive(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
 ///
 /// An edge of a light far brighter than white is smooth then; but light is lost, wherever a
 /// pixel holds both more than white and less.
-#[must_use]
 pub fn clamped(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     regular(pixel, n, &|point| {
         let radiance = radiance(point);
@@ -142,10 +135,15 @@ pub fn clamped(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
 /// The bug: returns the light of the mean *level* of n × n samples.
 ///
 /// Levels are spread for the eye: half the light is far more than half the levels.
-#[must_use]
 pub fn mean_of_levels(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     let levels = |point: Vec2| Vec3::from_array(encode(radiance(point)).map(f32::from));
     let mean = mean(stratified_points(pixel, n, |_| Vec2::splat(0.5)), &levels);
     Vec3::from_array(mean.to_array().map(|level| decode(level.round() as u8)))
 }
 // ANCHOR_END: encoded
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

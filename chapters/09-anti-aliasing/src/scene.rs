@@ -4,7 +4,6 @@ use glam::Vec3;
 use ray_casting::Camera;
 
 /// Returns a camera that looks at the far floor.
-#[must_use]
 pub fn horizon_camera() -> Camera {
     let eye = Vec3::new(0.0, 2.0, -7.0);
     let camera = Camera::new(eye, Vec3::new(0.0, -0.6, 7.0), Vec3::Y, 5.0);

@@ -13,7 +13,6 @@ use glam::{Vec2, Vec3};
 /// further 4ᵏ.
 ///
 /// Source: Burley, "Practical Hash-based Owen Scrambling" (JCGT 9(4), 2020).
-#[must_use]
 pub fn sample_position(pixel: Pixel, i: u32) -> Vec2 {
     let seed = hash(pixel.x ^ hash(pixel.y));
     // The first dimension mirrors the bits of i about the point; the second sums
@@ -47,13 +46,11 @@ fn scramble(x: u32, seed: u32) -> u32 {
 // ANCHOR_END: sobol
 
 /// Returns the point of the image plane at a `position` in [0, 1]² within a pixel.
-#[must_use]
 pub fn image_point(pixel: Pixel, position: Vec2) -> Vec2 {
     pixel.centre() + pixel.footprint() * (position - Vec2::splat(0.5))
 }
 
 /// Returns the mean of a pixel's first n × n samples; n is at least 1.
-#[must_use]
 pub fn low_discrepancy(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> Vec3 {
     let samples =
         (0..n * n).map(|i| radiance(image_point(pixel, sample_position(pixel, i))));

@@ -88,7 +88,6 @@ pub const STAGE: Stage = Stage {
 };
 
 /// Returns the knob of the number of rows and columns of samples in a pixel.
-#[must_use]
 pub const fn samples_knob(default: u32, snapshot_settings: &'static [f32]) -> Knob {
     Knob {
         name: "n",

@@ -2,8 +2,6 @@
 //! Shadow acne, and how a ray should leave a surface: it remembers its origin.
 
 pub mod scene;
-pub mod views;
-pub use views::STAGE;
 
 use fresnel::{fresnel, scatter};
 use glam::Vec3;
@@ -33,7 +31,6 @@ pub type SpawnRay = fn(&Interaction, Vec3) -> SurfaceRay;
 
 /// Returns a ray whose origin is not known to be on a surface.
 #[inline]
-#[must_use]
 pub fn untracked(ray: Ray) -> SurfaceRay {
     SurfaceRay {
         ray,
@@ -46,7 +43,6 @@ pub fn untracked(ray: Ray) -> SurfaceRay {
 // ANCHOR: offsets
 /// Spawns a ray at the computed point, which rounding puts on either side of the surface:
 /// the bug.
-#[must_use]
 pub fn without_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     untracked(Ray {
         origin: at.point,
@@ -55,7 +51,6 @@ pub fn without_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
 }
 
 /// Spawns a ray at a fixed distance from the surface, [`SHADOW_BIAS`].
-#[must_use]
 pub fn with_fixed_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     let normal = face_forward(at.outward, -direction);
     untracked(Ray {
@@ -69,7 +64,6 @@ pub fn with_fixed_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
 /// within ε/2 of these numbers, a few times over.
 ///
 /// Source: the idea is that of Wächter and Binder, Ray Tracing Gems (2019), ch. 6.
-#[must_use]
 pub fn with_scaled_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     let point = project_to_surface(at);
     let mut largest = point.length();
@@ -105,7 +99,6 @@ fn project_to_surface(at: &Interaction) -> Vec3 {
 // ANCHOR: from-surface
 /// Spawns a ray that starts on the surface, and remembers the object: the fix.
 #[inline]
-#[must_use]
 pub fn from_surface(at: &Interaction, direction: Vec3) -> SurfaceRay {
     let origin = project_to_surface(at);
     SurfaceRay {
@@ -118,7 +111,6 @@ pub fn from_surface(at: &Interaction, direction: Vec3) -> SurfaceRay {
 /// Returns a camera's ray. If the eye lies on the surface of an object, the ray starts on it,
 /// and does not hit it where it starts. Of several such objects it knows the first alone.
 #[inline]
-#[must_use]
 pub fn from_eye<M>(objects: &[Object<M>], ray: Ray) -> SurfaceRay {
     let mut shapes = objects.iter().map(|object| object.shape);
     let origin = shapes.position(|shape| is_on_surface(&shape, ray.origin));
@@ -139,7 +131,6 @@ pub fn from_eye<M>(objects: &[Object<M>], ray: Ray) -> SurfaceRay {
 /// One root of the quadratic is 0, where the ray starts, so only a linear term is left for
 /// the other.
 #[inline]
-#[must_use]
 pub fn exit_distance(sphere: &Sphere, ray: &Ray, t_max: f32) -> Option<f32> {
     let direction = ray.direction;
     let t = -2.0 * direction.dot(ray.origin - sphere.centre) / direction.dot(direction);
@@ -151,7 +142,6 @@ impl SurfaceRay {
     /// index. `None` if there is none. The object on which the ray starts can be hit again
     /// only from inside.
     #[inline]
-    #[must_use]
     pub fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {
         if self.origin != Some(index) {
             return shape.distance(&self.ray, t_max);
@@ -168,7 +158,6 @@ impl SurfaceRay {
     /// Returns the interaction with the first object that the ray hits. `None` if it hits
     /// nothing. Counts one ray.
     #[inline]
-    #[must_use]
     pub fn intersect<M>(&self, objects: &[Object<M>]) -> Option<Interaction> {
         canvas::count_ray();
         let hit = nearest_by(objects, T_MAX, |index, object, t_max| {
@@ -180,7 +169,6 @@ impl SurfaceRay {
     /// Returns the distance at which an object is hit between the ray's origin and a light
     /// that is `distance` away. `None` if it is not.
     #[inline]
-    #[must_use]
     pub fn occlusion(
         &self,
         index: usize,
@@ -195,7 +183,6 @@ impl SurfaceRay {
     /// Returns whether any object is between the ray's origin and a light that is `distance`
     /// away. Counts one ray.
     #[inline]
-    #[must_use]
     pub fn is_occluded<M>(
         &self,
         objects: &[Object<M>],
@@ -217,7 +204,6 @@ impl SurfaceRay {
 // ANCHOR: trace
 /// Returns the radiance along a ray, as `fresnel::trace` does, but with `spawn` to choose
 /// where shadow rays, reflected and refracted rays start.
-#[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     ray: &SurfaceRay,
@@ -243,3 +229,9 @@ pub fn trace(
     radiance
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -9,7 +9,6 @@ use shadows::{PointLight, Scene};
 
 /// Returns balls of radius 1 to 1/200 on a planet of radius 1000, one of them a mirror, all
 /// times `scale`, and a camera.
-#[must_use]
 pub fn balls_on_a_planet(scale: f32) -> (Scene<Material>, Camera) {
     let plastic = |colour, reflectivity| Material {
         phong: Phong {

@@ -4,9 +4,7 @@
 
 mod media;
 pub mod scene;
-pub mod views;
 pub use media::{Medium, OpticsAt, as_if_alone, between_media, medium_along};
-pub use views::STAGE;
 
 use fresnel::{fresnel, scatter};
 use glam::Vec3;
@@ -27,7 +25,6 @@ use sphere_hit::T_MAX;
 /// `absorption` is the rate a, at least 0, per unit of length.
 ///
 /// Source: the Beer–Lambert law (Bouguer 1729).
-#[must_use]
 pub fn transmittance(absorption: Vec3, distance: f32) -> Vec3 {
     (-absorption * distance).map(libm::expf)
 }
@@ -49,7 +46,6 @@ pub struct Absorbing {
 /// Follows a ray straight on, to the first hit with a surface that reflects or refracts it.
 /// Returns the fraction of light that the media on the way transmit, and the hit with its
 /// optics; `None` if there is none. Counts a ray for each surface that it meets.
-#[must_use]
 pub fn follow(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
@@ -72,7 +68,6 @@ pub fn follow(
 // ANCHOR: through
 /// Returns the shadow ray from a hit towards a light in front of the surface: it starts on the
 /// side from which the ray has come, even if the light lies in the surface.
-#[must_use]
 pub fn shadow_ray(at: &Interaction, to_light: Vec3) -> SurfaceRay {
     SurfaceRay {
         enters: !at.enters(),
@@ -86,7 +81,6 @@ pub fn shadow_ray(at: &Interaction, to_light: Vec3) -> SurfaceRay {
 ///
 /// Refraction and reflection by these media are ignored, so that the shadow of a ball of glass
 /// has a colour but no caustic.
-#[must_use]
 pub fn shadow_transmittance(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
@@ -120,7 +114,6 @@ pub fn shadow_transmittance(
 /// Returns the radiance along a ray: that of the first surface that reflects or refracts it,
 /// and what is seen in it and through it, less what is absorbed along the ray; or the
 /// background.
-#[must_use]
 pub fn trace(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
@@ -146,3 +139,9 @@ pub fn trace(
     path_transmittance * radiance
 }
 // ANCHOR_END: trace
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

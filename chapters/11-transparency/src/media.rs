@@ -63,7 +63,6 @@ fn medium(
 
 /// Returns the medium of a stretch of a ray, `distance` long, on which the ray crosses no
 /// surface: that in its middle, as far from the surfaces at its ends as can be.
-#[must_use]
 pub fn medium_along(
     objects: &[Object<Absorbing>],
     ray: &SurfaceRay,
@@ -85,7 +84,6 @@ pub type OpticsAt = fn(&[Object<Absorbing>], &Interaction) -> Option<Optics>;
 
 /// Returns the optics of a surface by the media that are really on its two sides. `None` if
 /// these have the same index of refraction, be it that a third body has displaced both.
-#[must_use]
 pub fn between_media(objects: &[Object<Absorbing>], at: &Interaction) -> Option<Optics> {
     let optics = objects[at.index].material.material.optics;
     let Optics::Dielectric { eta_outside, .. } = optics else {
@@ -110,7 +108,6 @@ pub fn between_media(objects: &[Object<Absorbing>], at: &Interaction) -> Option<
 }
 
 /// The bug: returns the optics of a surface as if its object were alone in the scene.
-#[must_use]
 pub fn as_if_alone(objects: &[Object<Absorbing>], at: &Interaction) -> Option<Optics> {
     Some(objects[at.index].material.material.optics)
 }

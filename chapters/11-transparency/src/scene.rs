@@ -14,7 +14,6 @@ use shadows::{PointLight, Scene};
 pub const AMBER: Vec3 = Vec3::new(0.1, 0.7, 2.5);
 
 /// Returns the still life with glass of the given absorption.
-#[must_use]
 pub fn absorbing_still_life(absorption: Vec3) -> Scene<Absorbing> {
     still_life_with_glass(GLASS, AIR).map(|material| Absorbing {
         material,
@@ -40,7 +39,6 @@ pub const ICE: f32 = 1.31;
 ///
 /// # Panics
 /// Never: all objects are valid, and no two have the same surface.
-#[must_use]
 pub fn pool() -> (Scene<Absorbing>, Camera) {
     let surface = |colour, diffuse, specular| Phong {
         colour,

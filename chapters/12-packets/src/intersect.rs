@@ -31,14 +31,12 @@ type Hits = Option<(Lanes, Lanes)>;
 impl Packet {
     /// Returns the points at distances `t` along the rays.
     #[inline]
-    #[must_use]
     pub fn at(&self, t: Lanes) -> Vec3x16 {
         self.origin + self.direction * t
     }
 
     /// Returns the same camera rays, which start on the object on whose surface the eye lies,
     /// if there is one, as `shadow_acne::from_eye` does.
-    #[must_use]
     pub fn from_eye(self, objects: &[Object<Material>], eye: Vec3) -> Self {
         let mut shapes = objects.iter().map(|object| object.shape);
         let origin_object = shapes.position(|shape| is_on_surface(&shape, eye));
@@ -138,7 +136,6 @@ impl Packet {
     /// distance. Counts the rays.
     // Not `always`: unoptimised, 64 bounces would no longer fit onto a thread's stack.
     #[inline]
-    #[must_use]
     pub fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Lanes) {
         count(self.active);
         let mut nearest = Lanes::splat(-1.0);
@@ -157,7 +154,6 @@ impl Packet {
     /// Returns a mask of the rays that hit nothing before a light, some distances away. Counts
     /// the rays.
     #[inline]
-    #[must_use]
     pub fn unoccluded(
         &self,
         objects: &[Object<Material>],
@@ -197,7 +193,6 @@ thread_local! {
 
 /// Returns the number of packets that this thread has traced so far; each could hold
 /// [`LANES`](crate::LANES) rays.
-#[must_use]
 pub fn packets_so_far() -> u64 {
     PACKETS.get()
 }

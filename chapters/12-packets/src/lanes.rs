@@ -28,7 +28,6 @@ pub struct Vec3x16 {
 // ANCHOR: vectors
 impl Vec3x16 {
     /// Returns the same vector in every lane.
-    #[must_use]
     #[inline]
     pub fn splat(vector: Vec3) -> Self {
         Self {
@@ -48,28 +47,24 @@ impl Vec3x16 {
     }
 
     /// Returns the dot products.
-    #[must_use]
     #[inline]
     pub fn dot(self, other: Self) -> Lanes {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// Returns the lengths.
-    #[must_use]
     #[inline]
     pub fn length(self) -> Lanes {
         self.dot(self).sqrt()
     }
 
     /// Returns the unit vectors, calculated as glam does: one division and three products.
-    #[must_use]
     #[inline]
     pub fn normalize(self) -> Self {
         self * (1.0 / self.length())
     }
 
     /// Returns the unit vectors, or Y where there is none, as `Sphere::normal` does.
-    #[must_use]
     #[inline]
     pub fn normalize_or_y(self) -> Self {
         let is_normalizable = self.is_normalizable();
@@ -77,7 +72,6 @@ impl Vec3x16 {
     }
 
     /// Returns a mask of the vectors that `ray_casting::checked_normalize` accepts.
-    #[must_use]
     #[inline]
     pub fn is_normalizable(self) -> Lanes {
         let squared = self.dot(self);

@@ -5,10 +5,8 @@
 mod interactions;
 mod intersect;
 mod lanes;
-pub mod views;
 pub use intersect::{Packet, packets_so_far};
 pub use lanes::{LANES, Lanes, Vec3x16};
-pub use views::STAGE;
 
 use canvas::Pixel;
 use glam::{UVec2, Vec2, Vec3};
@@ -80,7 +78,6 @@ impl Interactions<'_> {
 /// hit it.
 ///
 /// `throughput` replaces [`PathBudget::throughput`], lane by lane.
-#[must_use]
 pub fn trace(
     scene: &Scene<Material>,
     rays: &Packet,
@@ -107,7 +104,6 @@ pub fn trace(
 // ANCHOR: render
 /// Returns the camera rays through the `first` pixel and those to its right, [`LANES`] at the
 /// most, at some `offset` from their centres on the image plane.
-#[must_use]
 pub fn camera_rays(camera: &Camera, first: Pixel, pixels: usize, offset: Vec2) -> Packet {
     let lane = Lanes::new(std::array::from_fn(|lane| lane as f32));
     let half = first.size.as_vec2() / 2.0;
@@ -127,7 +123,6 @@ pub fn camera_rays(camera: &Camera, first: Pixel, pixels: usize, offset: Vec2) -
 
 /// Returns the offset of the i-th of a pixel's n × n samples from its centre, the same as in
 /// `anti_aliasing::regular`.
-#[must_use]
 pub fn sample_offset(pixel: Pixel, n: u32, i: u32) -> Vec2 {
     let cell = UVec2::new(i % n, i / n).as_vec2() + Vec2::splat(0.5);
     pixel.footprint() * (cell / n as f32 - Vec2::splat(0.5))
@@ -155,3 +150,9 @@ pub fn render(
     }
 }
 // ANCHOR_END: render
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

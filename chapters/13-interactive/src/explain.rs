@@ -90,14 +90,12 @@ pub enum Visibility<'a> {
 // ANCHOR_END: explained
 
 /// Returns the budget of the finished picture's rays.
-#[must_use]
 pub fn budget() -> PathBudget {
     PathBudget::new(MAX_DEPTH)
 }
 
 /// Returns the ray of `camera` through a `point` of the image plane, explained. Its radiance
 /// is that of [`shadow_acne::trace`] with [`from_surface`], bit for bit.
-#[must_use]
 pub fn explain<'a>(
     scene: &'a Scene<Material>,
     camera: &Camera,
@@ -110,7 +108,6 @@ pub fn explain<'a>(
 }
 
 /// Returns the ray through the centre of a pixel in words, as the finished picture has it.
-#[must_use]
 pub fn explanation(scene: &Scene<Material>, camera: &Camera, pixel: Pixel) -> String {
     let explained = explain(scene, camera, pixel.centre(), budget());
     let Pixel { x, y, size } = pixel;

@@ -7,12 +7,11 @@ pub mod overlay;
 mod pose;
 mod render_thread;
 mod tree;
-pub mod views;
 pub use pose::{CameraPose, FOCAL_LENGTHS, PoseError, WORLD};
 pub use render_thread::{Frame, RenderRequest, RenderThread};
-pub use views::STAGE;
 
-use canvas::{Canvas, Pixel, encode};
+use canvas::srgb::encode;
+use canvas::{Pixel, Rendering};
 use glam::{UVec2, Vec3};
 use rayon::prelude::*;
 use std::time::Duration;
@@ -24,14 +23,12 @@ pub const MAX_LOD: u32 = 5;
 
 /// Returns the size of a frame at a level of detail: at 0 the size of the whole picture, at
 /// each further level half as wide and half as high, rounded up.
-#[must_use]
 pub fn size_at_lod(size: UVec2, lod: u32) -> UVec2 {
     let block = 1 << lod;
     UVec2::new(size.x.div_ceil(block), size.y.div_ceil(block))
 }
 
 /// Returns the pixel of the coarser frame that covers `pixel`.
-#[must_use]
 pub fn block_of(pixel: Pixel, lod: u32) -> Pixel {
     Pixel {
         x: pixel.x >> lod,
@@ -45,7 +42,6 @@ pub fn block_of(pixel: Pixel, lod: u32) -> Pixel {
 ///
 /// A finer frame has four times the pixels. The fifth frame is a margin: without it, the
 /// level would change with every frame.
-#[must_use]
 pub fn next_lod(lod: u32, took: Duration, target: Duration) -> u32 {
     if took > target && lod < MAX_LOD {
         lod + 1
@@ -66,7 +62,6 @@ pub struct Accumulator {
 
 impl Accumulator {
     /// Returns an accumulator without samples, for pictures of `size` pixels.
-    #[must_use]
     pub fn new(size: UVec2) -> Self {
         Self {
             sums: vec![Vec3::ZERO; size.x as usize * size.y as usize],
@@ -78,7 +73,7 @@ impl Accumulator {
     ///
     /// The samples are added in their order and divided once, so that after n × n of them
     /// the mean has the bits of [`anti_aliasing::regular`].
-    pub fn add(&mut self, sample: &mut Canvas) {
+    pub fn add(&mut self, sample: &mut Rendering) {
         self.count += 1;
         let count = self.count as f32;
         let pixels = sample.radiance.par_iter_mut().zip(&mut sample.levels);
@@ -92,3 +87,9 @@ impl Accumulator {
     }
 }
 // ANCHOR_END: accumulate
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -213,7 +213,6 @@ impl Overlay {
     ///
     /// Hidden parts are drawn, too. A ray of low throughput is faint, and the first ray ends
     /// in a ring. Seen by its own camera, that ray is a point; seen by another, it is a line.
-    #[must_use]
     pub fn new(explained: &Explained, camera: &Camera, size: UVec2) -> Self {
         let mut recorder = Recorder {
             projection: Projection { camera, size },

@@ -57,7 +57,6 @@ impl CameraPose {
     }
 
     /// Returns the camera in this pose, its horizon level.
-    #[must_use]
     pub fn camera(&self) -> Camera {
         Camera::new(self.eye, self.forward, Vec3::Y, self.focal_length)
             .expect("`new` has made this camera before")
@@ -65,7 +64,6 @@ impl CameraPose {
 
     /// Returns the pose after `steps` to the right, up and ahead, where ahead is level. A step
     /// that would lead beyond [`WORLD`] is not taken.
-    #[must_use]
     pub fn moved(self, steps: Vec3) -> Self {
         let right = self.camera().right;
         let ahead = right.cross(Vec3::Y);
@@ -78,7 +76,6 @@ impl CameraPose {
 
     /// Returns the pose turned so that what was seen at a `point` of the image plane is seen
     /// in its middle; turned only to the side, if the direction would be too steep.
-    #[must_use]
     pub fn turned(self, point: Vec2) -> Self {
         let towards = |point| {
             let forward = self.camera().ray(point).direction;
@@ -90,7 +87,6 @@ impl CameraPose {
 
     /// Returns the pose with a focal length larger by `factor`, or the same pose if there is
     /// no such focal length.
-    #[must_use]
     pub fn zoomed(self, factor: f32) -> Self {
         let focal_length = factor * self.focal_length;
         Self::new(self.eye, self.forward, focal_length).unwrap_or(self)

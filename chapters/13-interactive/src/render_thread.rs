@@ -3,7 +3,7 @@
 
 use crate::views::WalkView;
 use crate::{Accumulator, CameraPose, block_of, next_lod, size_at_lod};
-use canvas::{Canvas, Picture, Pixel};
+use canvas::{Picture, Pixel, Rendering};
 use glam::UVec2;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -33,7 +33,7 @@ pub struct Frame {
     /// The request.
     pub request: RenderRequest,
     /// The frame, of the size that [`size_at_lod`] returns.
-    pub canvas: Canvas,
+    pub canvas: Rendering,
     /// Its level of detail.
     pub lod: u32,
     /// The number of samples per pixel so far; 0 while it is coarse.
@@ -46,13 +46,11 @@ pub struct Frame {
 
 impl Frame {
     /// Returns whether all samples have been taken.
-    #[must_use]
     pub fn is_exact(&self) -> bool {
         self.samples == self.total_samples
     }
 
     /// Returns the sRGB levels of the whole picture, in blocks if the frame is coarse.
-    #[must_use]
     pub fn levels(&self) -> Vec<[u8; 3]> {
         let level = |pixel| {
             let Pixel { x, y, size } = block_of(pixel, self.lod);
@@ -83,7 +81,6 @@ struct Shared {
 impl RenderThread {
     /// Starts the thread. It chooses a level of detail at which a coarse frame takes no longer
     /// than `target`, if there is one.
-    #[must_use]
     pub fn new(target: Duration) -> Self {
         let (sender, requests) = channel();
         let shared = Arc::<Shared>::default();
@@ -107,7 +104,6 @@ impl RenderThread {
     }
 
     /// Takes the latest frame; `None` if none was rendered since the last call.
-    #[must_use]
     pub fn take_frame(&self) -> Option<Frame> {
         self.shared.frame().take()
     }
@@ -149,7 +145,7 @@ impl Shared {
             // each other, no other frame is shown.
             let start = Instant::now();
             let coarse = view.preview(camera, setting);
-            let canvas = Canvas::render(&coarse, size_at_lod(size, lod));
+            let canvas = Rendering::new(&coarse, size_at_lod(size, lod));
             let took = start.elapsed();
             let is_exact = lod == 0 && total_samples == 1;
             publish(canvas, lod, u32::from(is_exact), took);
@@ -163,7 +159,7 @@ impl Shared {
                 let start = Instant::now();
                 let sample = view.sample(camera, setting, i);
                 let sample = Arc::clone(&self).while_latest(generation, sample);
-                let mut canvas = Canvas::render(&sample, size);
+                let mut canvas = Rendering::new(&sample, size);
                 if !self.is_latest(generation) {
                     break;
                 }

@@ -4,7 +4,8 @@ use crate::block_of;
 use crate::explain::{budget, explain};
 use crate::overlay::Overlay;
 use anti_aliasing::views::samples_knob;
-use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, encode, folder_name};
+use canvas::srgb::encode;
+use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, folder_name};
 use fresnel::fresnel;
 use glam::{Vec2, Vec3};
 use packets::{LANES, Lanes, camera_rays, sample_offset};
@@ -156,19 +157,16 @@ impl WalkView {
     pub const ALL: &[Self] = &VIEWS;
 
     /// Returns the view called `name`, or `None` if there is no such view.
-    #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         Self::ALL.iter().find(|walk| walk.view.name == name)
     }
 
     /// Returns the number of samples per pixel at a setting of the knob.
-    #[must_use]
     pub fn samples(&self, setting: f32) -> u32 {
         self.sample.map_or(1, |_| setting as u32 * setting as u32)
     }
 
     /// Returns the picture of the i-th sample of every pixel.
-    #[must_use]
     pub fn sample(&self, camera: Camera, setting: f32, i: u32) -> Picture {
         match self.sample {
             Some(sample) => sample(camera, setting as u32, i),
@@ -177,7 +175,6 @@ impl WalkView {
     }
 
     /// Returns the picture of one sample in the centre of every pixel.
-    #[must_use]
     pub fn preview(&self, camera: Camera, setting: f32) -> Picture {
         match self.sample {
             Some(sample) => sample(camera, 1, 0),

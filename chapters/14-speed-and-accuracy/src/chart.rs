@@ -35,7 +35,6 @@ pub enum Quantity {
 
 impl Quantity {
     /// Returns the number in this column of a row, or `None` if the cell is empty.
-    #[must_use]
     pub fn of(self, row: &Measurement) -> Option<f64> {
         match self {
             Self::Setting => Some(row.setting),
@@ -74,7 +73,6 @@ impl Chart {
     }
 
     /// Returns a line for each method, in the order of the table.
-    #[must_use]
     pub fn lines<'a>(&self, table: &'a Table) -> Vec<Line<'a>> {
         let mut lines: Vec<Line> = Vec::new();
         for row in table.rows.iter().filter(|row| row.scene == self.scene) {
@@ -98,7 +96,6 @@ impl Chart {
     }
 
     /// Returns whether x is a cost: then y is an error, and the front is drawn.
-    #[must_use]
     pub const fn show_pareto_front(&self) -> bool {
         matches!(self.x.0, Quantity::Work | Quantity::Ns)
     }
@@ -107,7 +104,6 @@ impl Chart {
 // ANCHOR: front
 /// Returns the Pareto front, from the left: the points that no other dominates in both x
 /// and y.
-#[must_use]
 pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
     let mut points: Vec<Point> = points.into_iter().collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -123,7 +119,6 @@ pub fn pareto_front(points: impl IntoIterator<Item = Point>) -> Vec<Point> {
 
 /// Returns the number of each method's colour and mark: the same in all charts, and another
 /// for each method.
-#[must_use]
 pub fn styles<'a>(charts: &[Chart], table: &'a Table) -> BTreeMap<&'a str, usize> {
     let mut styles = BTreeMap::new();
     for line in charts.iter().flat_map(|chart| chart.lines(table)) {

@@ -1,7 +1,6 @@
 //! Numbers as the tables keep them, and as the pages print them.
 
 /// Returns a number rounded to three digits: `0.123`, `12.3`, `1.23e-7`.
-#[must_use]
 pub fn three_digits(x: f64) -> String {
     let rounded: f64 = format!("{x:.2e}").parse().expect("a number just written");
     if rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs()) || !rounded.is_finite() {
@@ -13,7 +12,6 @@ pub fn three_digits(x: f64) -> String {
 
 /// Returns a number rounded to three digits, as we write it by hand: `0.123`, `1,230`,
 /// `1.23 × 10⁻⁷`.
-#[must_use]
 pub fn for_readers(x: f64) -> String {
     if x.is_infinite() {
         return "∞".to_string();
@@ -40,7 +38,6 @@ pub fn for_readers(x: f64) -> String {
 }
 
 /// Returns a whole number with its thousands apart: `1,234,567`.
-#[must_use]
 pub fn with_separators(whole: u64) -> String {
     let (thousands, rest) = (whole / 1000, whole % 1000);
     match thousands {

@@ -5,7 +5,6 @@ use glam::{DVec3, Vec3};
 
 // ANCHOR: error-map
 /// Returns the error of a radiance in levels, not rounded: that of its worst channel.
-#[must_use]
 pub fn level_error(ours: Vec3, exact: DVec3) -> f64 {
     let levels = |radiance: DVec3| radiance.map(oracle::level);
     (levels(ours.as_dvec3()) - levels(exact))
@@ -15,7 +14,6 @@ pub fn level_error(ours: Vec3, exact: DVec3) -> f64 {
 
 /// Returns the map of a picture's errors: black below 10⁻⁵ of a level, a brighter colour for
 /// each ten times as much, and the brightest from ten levels on.
-#[must_use]
 pub fn error_map(ours: Picture, exact: Picture) -> Picture {
     const LEVELS: [f64; 7] = [1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0];
     Picture::from_spans(move |first, span| {
@@ -31,7 +29,6 @@ pub fn error_map(ours: Picture, exact: Picture) -> Picture {
 
 /// Returns the map of a picture's rays: black for one, a brighter colour for each twice as
 /// many, and the brightest from 128 on.
-#[must_use]
 pub fn cost_map(picture: Picture) -> Picture {
     Picture::new(move |pixel| {
         let before = rays_so_far();

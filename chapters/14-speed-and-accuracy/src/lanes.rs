@@ -27,7 +27,6 @@ pub trait Number:
     fn of_each(lane: impl Fn(usize) -> f32) -> Self;
 
     /// Returns the square roots.
-    #[must_use]
     fn sqrt(self) -> Self;
 }
 // ANCHOR_END: number
@@ -241,7 +240,6 @@ impl InLanes {
 /// Returns the rows of the scene "lanes": the errors of each method's row, and beside them
 /// what its formula costs, as operations and as nanoseconds for one result. The setting is
 /// the number of lanes.
-#[must_use]
 pub fn costs(
     clock: &Clock,
     errors: &[Measurement],

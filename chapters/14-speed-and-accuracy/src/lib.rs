@@ -8,7 +8,11 @@ pub mod lanes;
 pub mod studies;
 pub mod study;
 pub mod table;
-pub mod views;
 pub use studies::STUDIES;
-pub use views::STAGE;
 // ANCHOR_END: head
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -48,7 +48,6 @@ impl Choice {
 impl Study {
     /// Returns the path of the study's file in the book: of its table, `csv`, or of its
     /// charts, `svg`.
-    #[must_use]
     pub fn path(&self, extension: &str) -> PathBuf {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/studies");
         PathBuf::from(folder)
@@ -67,7 +66,6 @@ impl Study {
 
 impl Measurement {
     /// Returns a row without numbers.
-    #[must_use]
     pub fn of(scene: impl Into<String>, method: impl Into<String>, setting: f64) -> Self {
         Self {
             scene: scene.into(),
@@ -79,7 +77,6 @@ impl Measurement {
 
     /// Returns the row with the largest and the RMS of some errors, or without them if
     /// there are no errors. One that is not finite counts as infinite.
-    #[must_use]
     pub fn with_errors(self, errors: impl IntoIterator<Item = f64>) -> Self {
         let (mut count, mut max, mut squares) = (0_u32, 0.0, 0.0);
         for error in errors {
@@ -102,7 +99,6 @@ impl Measurement {
     }
 
     /// Divides the time by `steps`.
-    #[must_use]
     pub fn per_step(self, steps: u32) -> Self {
         let ns = self.ns.map(|ns| ns / f64::from(steps));
         Self { ns, ..self }
@@ -135,7 +131,6 @@ impl Clock {
     ///
     /// Other work of the machine can only make a job slower, so the minimum is nearest to
     /// the truth. The jobs take turns, so that a slow minute is slow for all of them.
-    #[must_use]
     pub fn min_of_rounds<'a>(
         &self,
         calls: usize,
@@ -187,19 +182,16 @@ pub enum Verdict {
 
 impl Verdict {
     /// Returns `Right` or `Wrong`.
-    #[must_use]
     pub fn of(is_right: bool) -> Self {
         if is_right { Self::Right } else { Self::Wrong }
     }
 
     /// Returns the difference of a result from the exact one, as its error.
-    #[must_use]
     pub fn difference(result: f32, exact: f64) -> Self {
         Self::Error(f64::from(result) - exact)
     }
 
     /// Returns the error in ulps: in distances from the exact result's f32 to the next.
-    #[must_use]
     pub fn in_ulps(result: f32, exact: f64) -> Self {
         let nearest = exact.abs() as f32;
         let ulp = f64::from(nearest.next_up()) - f64::from(nearest);

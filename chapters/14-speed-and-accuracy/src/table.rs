@@ -45,7 +45,6 @@ pub struct Table {
 impl Table {
     /// Returns the table as comma-separated values below a line that names the machine,
     /// every number rounded to three digits.
-    #[must_use]
     pub fn to_csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let written = self.rows.iter().try_for_each(|row| writer.serialize(row));
@@ -74,7 +73,6 @@ impl Table {
 
     // ANCHOR: without-times
     /// Returns the table without its times, which no test may compare.
-    #[must_use]
     pub fn without_times(mut self) -> Self {
         self.machine.clear();
         self.rows.iter_mut().for_each(|row| row.ns = None);

@@ -6,8 +6,12 @@ mod plan;
 mod sample;
 pub mod study;
 mod trace;
-pub mod views;
 pub use plan::{DEFAULT_TOLERANCE, Plan};
 pub use trace::Sample;
-pub use views::STAGE;
 // ANCHOR_END: head
+
+// ANCHOR: ours
+// The pictures of this page, for the window, the command line and the tests of this project.
+pub mod views;
+pub use views::STAGE;
+// ANCHOR_END: ours

@@ -32,7 +32,6 @@ pub const DEFAULT_TOLERANCE: f32 = 0.5;
 impl Plan {
     // ANCHOR: new
     /// Returns the plan for a scene and a tolerance in levels.
-    #[must_use]
     pub fn new(scene: Scene<Absorbing>, tolerance: f32) -> Self {
         let mut emitters = vec![(scene.background.max_element(), 0.0)];
         let mut highlight = 0.0;
@@ -60,7 +59,6 @@ impl Plan {
 
     /// Returns the plan for a scene in which nothing absorbs light, and even glass casts a
     /// black shadow.
-    #[must_use]
     pub fn with_black_shadows(scene: Scene<Material>, tolerance: f32) -> Self {
         let absorption = Vec3::ZERO;
         let scene = scene.map(|material| Absorbing {

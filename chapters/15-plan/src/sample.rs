@@ -19,7 +19,6 @@ impl Plan {
     /// There are eight probe samples, at the corners and in the quarters of the pixel, as in
     /// Whitted 1980. If all have the same signature and nearly the same radiance, the pixel is
     /// their mean. Otherwise the corners are dropped, and samples within are added.
-    #[must_use]
     pub fn sample_pixel(&self, pixel: Pixel, sample: &dyn Fn(Vec2) -> Sample) -> Vec3 {
         let rays_before = rays_so_far();
         let corners = [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::ONE];
@@ -67,7 +66,6 @@ const TYPICAL_FRACTION: f32 = 1.0 / 4.0;
 
 impl Plan {
     /// Returns the picture of the scene, with as many samples and rays as it needs.
-    #[must_use]
     pub fn picture(mut self, camera: Camera) -> Picture {
         self.max_radiance *= TYPICAL_FRACTION;
         Picture::new(move |pixel| {

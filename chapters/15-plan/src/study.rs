@@ -76,7 +76,6 @@ fn pixels() -> Vec<Pixel> {
 
 /// Returns the radiance of the measured pixels of a picture, and the rays per pixel that it
 /// took.
-#[must_use]
 pub fn render(picture: &Picture) -> (Vec<Vec3>, f64) {
     let before = rays_so_far();
     let radiance = pixels().into_iter().map(|pixel| picture.radiance(pixel));
@@ -109,7 +108,6 @@ const SAMPLERS: [(&str, Sampler); 3] = [
 ];
 
 /// Returns the rows of a scene. Only the still life is timed.
-#[must_use]
 pub fn compare(clock: &Clock, scene: &BookScene) -> Vec<Measurement> {
     let (model, camera) = (scene.make)();
     let exact = reference(&model, camera);
@@ -158,7 +156,6 @@ pub fn compare(clock: &Clock, scene: &BookScene) -> Vec<Measurement> {
 }
 
 /// Returns the plan for a scene.
-#[must_use]
 pub fn plan(model: Model, tolerance: f32) -> Plan {
     match model {
         Model::Plain(scene) => Plan::with_black_shadows(scene, tolerance),

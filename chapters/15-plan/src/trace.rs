@@ -43,7 +43,6 @@ impl Plan {
     /// more than the tolerance.
     ///
     /// Source: after Hall and Greenberg, "A Testbed for Realistic Image Synthesis" (1983).
-    #[must_use]
     pub fn trace(&self, ray: Ray) -> Sample {
         let scene = &self.scene;
         let mut ray = from_eye(&scene.objects, ray);

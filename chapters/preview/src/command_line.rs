@@ -11,7 +11,6 @@ use std::path::PathBuf;
 const MAX_SIDE: u32 = 16_384;
 
 /// Returns the command line that every chapter has. A chapter may add arguments to it.
-#[must_use]
 pub fn command(stage: &'static Stage) -> Command {
     let names = PossibleValuesParser::new(stage.views.iter().map(|view| view.name));
     let view = names.map(|name| stage.view(&name).expect("one of the possible values"));

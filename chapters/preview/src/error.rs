@@ -47,7 +47,6 @@ pub enum Error {
 
 impl Error {
     /// Returns an [`Error::Usage`] with a message of one line.
-    #[must_use]
     pub fn usage(message: impl Display) -> Self {
         clap::Error::raw(clap::error::ErrorKind::ValueValidation, message).into()
     }
@@ -117,7 +116,6 @@ impl From<clap::Error> for Error {
 /// success, 2 for invalid arguments, 1 for other errors.
 ///
 /// A processor that lacks instructions of this program is also an error.
-#[must_use]
 pub fn exit_code(run: impl FnOnce() -> Result<(), Error>) -> ExitCode {
     processor::check();
     let Err(error) = run() else {

@@ -50,7 +50,6 @@ impl InputCallback for Listener {
 
 impl Keyboard {
     /// Returns the keyboard of `window`; it replaces an earlier one.
-    #[must_use]
     pub fn new(window: &mut Window) -> Self {
         let (sender, events) = channel();
         window.set_input_callback(Box::new(Listener(sender)));
@@ -91,7 +90,6 @@ impl Keyboard {
     }
 
     /// Returns whether any of `keys` is down, or has been since [`Keyboard::end_frame`].
-    #[must_use]
     pub fn is_down(&self, keys: &[Key]) -> bool {
         let mut known = self.down.iter().chain(&self.tapped);
         known.any(|key| keys.contains(key))
@@ -105,7 +103,6 @@ impl Keyboard {
 
 /// Returns 0 for 1, up to 8 for 9: for the digits of either part of the keyboard, and for F1 to
 /// F9, which every layout has. `None` for any other key.
-#[must_use]
 pub fn digit(key: Key) -> Option<usize> {
     const DIGITS: [[Key; 3]; 9] = [
         [Key::Key1, Key::NumPad1, Key::F1],

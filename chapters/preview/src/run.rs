@@ -17,7 +17,6 @@ use std::process::ExitCode;
 /// arguments request.
 ///
 /// Returns the program's [`exit_code`].
-#[must_use]
 pub fn run(stage: &'static Stage) -> ExitCode {
     exit_code(|| run_arguments(stage))
 }
