@@ -4,7 +4,7 @@
 mod interactive;
 mod programs;
 
-use canvas::{Rendering, Stage, View};
+use canvas::{Canvas, Stage, View};
 use glam::UVec2;
 use stages::STAGES;
 use std::collections::BTreeMap;
@@ -95,7 +95,7 @@ fn names(folder: &Path) -> Vec<String> {
 fn assert_shows(path: &Path, stage: &Stage, view: &str, setting: f32, size: UVec2) {
     let saved = image::open(path).expect("a PNG");
     let view = stage.view(view).expect("a view");
-    let expected = Rendering::new(&(view.picture)(setting), size);
+    let expected = Canvas::render(&(view.picture)(setting), size);
     assert_eq!((saved.width(), saved.height()), (size.x, size.y));
     assert_eq!(saved.color(), image::ColorType::Rgb8);
     assert!(programs::png_info(path).srgb.is_some(), "no sRGB chunk");

@@ -8,7 +8,7 @@
 mod interactive;
 mod programs;
 
-use canvas::{Rendering, Stage};
+use canvas::{Canvas, Stage};
 use glam::UVec2;
 use std::fmt::Debug;
 use std::fs;
@@ -352,9 +352,9 @@ impl<'a> Shown<'a> {
     }
 
     /// Returns the library's own picture, which the window should show.
-    fn rendered(&self, view: &str, setting: f32, size: UVec2) -> Rendering {
+    fn rendered(&self, view: &str, setting: f32, size: UVec2) -> Canvas {
         let view = self.stage.view(view).expect("a view");
-        Rendering::new(&(view.picture)(setting), size)
+        Canvas::render(&(view.picture)(setting), size)
     }
 }
 

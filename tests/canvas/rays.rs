@@ -1,7 +1,7 @@
 //! Rays are counted where they are traced, and a picture's are the sum of its rows'.
 
 use ::canvas::{
-    Picture, Pixel, Rendering, Row, count_ray, count_rays, rays_so_far, rays_traced,
+    Canvas, Picture, Pixel, Row, count_ray, count_rays, rays_so_far, rays_traced,
     spawn_render,
 };
 use glam::{UVec2, Vec3};
@@ -33,9 +33,9 @@ fn picture() -> Picture {
 /// x y over all pixels: 136 · 36 of them, on any number of threads, at once or row by row.
 #[test]
 fn a_picture_has_the_rays_of_all_its_pixels() {
-    let all_at_once = Rendering::new(&picture(), SIZE);
+    let all_at_once = Canvas::render(&picture(), SIZE);
     assert_eq!(all_at_once.rays, 136 * 36);
-    let mut by_rows = Rendering::black(SIZE);
+    let mut by_rows = Canvas::black(SIZE);
     assert_eq!(by_rows.rays, 0);
     for row in spawn_render(picture(), SIZE) {
         assert_eq!(row.rays, 136 * u64::from(row.y));
@@ -50,7 +50,7 @@ fn a_picture_has_the_rays_of_all_its_pixels() {
 #[test]
 fn all_threads_rays_are_traced_rays() {
     let before = rays_traced();
-    Rendering::new(&picture(), SIZE);
+    Canvas::render(&picture(), SIZE);
     count_ray();
     assert!(rays_traced() - before > 136 * 36);
 }
@@ -58,7 +58,7 @@ fn all_threads_rays_are_traced_rays() {
 /// One by one, in spans of any length, or as the canvas has it.
 #[test]
 fn a_pixel_has_the_same_light_alone_and_in_a_span() {
-    let (picture, canvas) = (picture(), Rendering::new(&picture(), SIZE));
+    let (picture, canvas) = (picture(), Canvas::render(&picture(), SIZE));
     for (pixel, radiance) in Pixel::all(SIZE).zip(&canvas.radiance) {
         assert_eq!(picture.radiance(pixel), *radiance);
         let mut span = vec![Vec3::NAN; (SIZE.x - pixel.x) as usize];
@@ -70,7 +70,7 @@ fn a_pixel_has_the_same_light_alone_and_in_a_span() {
 
 #[test]
 fn a_black_canvas_is_black_all_over() {
-    let canvas = Rendering::black(SIZE);
+    let canvas = Canvas::black(SIZE);
     assert_eq!(canvas.size, SIZE);
     assert_eq!(canvas.radiance, [Vec3::ZERO; 17 * 9]);
     assert_eq!(canvas.levels, [[0; 3]; 17 * 9]);
@@ -116,7 +116,7 @@ fn a_row_of_another_picture_is_refused() {
             levels: vec![[255; 3]; width],
             rays: 0,
         };
-        let written = std::panic::catch_unwind(|| Rendering::black(SIZE).write_row(&row));
+        let written = std::panic::catch_unwind(|| Canvas::black(SIZE).write_row(&row));
         assert!(written.is_err(), "row {y}, {width} pixels wide");
     }
 }

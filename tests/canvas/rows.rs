@@ -1,6 +1,6 @@
 //! Rows that are rendered for a file, and are never a whole canvas.
 
-use ::canvas::{Picture, Rendering, STAGE};
+use ::canvas::{Canvas, Picture, STAGE};
 use glam::UVec2;
 use std::convert::Infallible;
 
@@ -25,7 +25,7 @@ fn rows_in_order_are_the_canvass() {
             rows.extend_from_slice(levels);
             Ok::<(), Infallible>(())
         });
-        assert!(rows == Rendering::new(&picture, size).levels, "{size}");
+        assert!(rows == Canvas::render(&picture, size).levels, "{size}");
     }
 }
 

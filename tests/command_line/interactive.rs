@@ -76,7 +76,7 @@ fn camera_says_from_where_and_the_picture_knows_it() {
             trace(&scene, &ray, PathBudget::new(MAX_DEPTH), from_surface)
         })
     });
-    let expected = Rendering::new(&picture, SMALL.1);
+    let expected = Canvas::render(&picture, SMALL.1);
     assert!(saved.as_bytes() == expected.levels.as_flattened());
     let bytes = fs::read(&path).expect("its bytes");
     let bytes = String::from_utf8_lossy(&bytes);

@@ -8,7 +8,7 @@ use ::refraction::{Material, Optics, refract};
 use ::shading::Phong;
 use ::shadows::{Interaction, PointLight, Scene};
 use ::sphere_hit::face_forward;
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::{DVec3, UVec2, Vec3, dvec3, vec3};
 use harness::{EPS, SMALL, cases, largest_difference, magnitude, render, unit_vector};
 use oracle::Interface;
@@ -388,11 +388,11 @@ fn ball_over_checker() -> (Scene<Material>, Camera) {
 }
 
 /// Renders a small picture.
-fn picture_of(scene: Scene<Material>, camera: Camera, budget: PathBudget) -> Rendering {
+fn picture_of(scene: Scene<Material>, camera: Camera, budget: PathBudget) -> Canvas {
     let picture = Picture::new(move |pixel| {
         trace(&scene, &camera.ray(pixel.centre()), budget, fresnel)
     });
-    Rendering::new(&picture, UVec2::new(120, 90))
+    Canvas::render(&picture, UVec2::new(120, 90))
 }
 
 fn budget(depth: u32, min_throughput: f32) -> PathBudget {

@@ -45,7 +45,7 @@ fn a_picture_at_rest_becomes_exact() {
     };
     let view = last.request.view;
     let picture = (view.picture)(CameraPose::START.camera(), 2.0);
-    let expected = canvas::Rendering::new(&picture, SIZE);
+    let expected = canvas::Canvas::render(&picture, SIZE);
     assert_eq!(last.levels(), expected.levels);
     assert_eq!(last.canvas.radiance, expected.radiance);
 }

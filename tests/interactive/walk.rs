@@ -1,6 +1,6 @@
 //! The pose of the camera, the frames, and that the refined picture is exact.
 
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::{UVec2, Vec2, Vec3};
 use harness::bits;
 use interactive::views::WalkView;
@@ -17,7 +17,7 @@ use std::time::Duration;
 
 const SIZE: UVec2 = UVec2::new(97, 61);
 
-fn canvas_bits(canvas: &Rendering) -> Vec<[u32; 3]> {
+fn canvas_bits(canvas: &Canvas) -> Vec<[u32; 3]> {
     canvas.radiance.iter().map(bits).collect()
 }
 
@@ -27,7 +27,7 @@ fn view(name: &str) -> &'static WalkView {
 
 /// Returns the picture that the walk must converge to: one ray at a time, n × n samples of
 /// every pixel.
-fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Rendering {
+fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Canvas {
     let (scene, camera) = (still_life_with_glass(GLASS, AIR), pose.camera());
     let budget = PathBudget::new(MAX_DEPTH);
     let radiance = move |pixel: Pixel| {
@@ -35,7 +35,7 @@ fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Rendering {
             trace(&scene, &untracked(camera.ray(point)), budget, from_surface)
         })
     };
-    Rendering::new(&Picture::new(radiance), size)
+    Canvas::render(&Picture::new(radiance), size)
 }
 
 fn elsewhere() -> CameraPose {
@@ -52,7 +52,7 @@ fn samples_add_up_to_the_books_picture_bit_for_bit() {
         let mut accumulator = Accumulator::new(SIZE);
         let (mut rays, mut last) = (0, None);
         for i in 0..n * n {
-            let mut canvas = Rendering::new(&view.sample(camera, setting, i), SIZE);
+            let mut canvas = Canvas::render(&view.sample(camera, setting, i), SIZE);
             accumulator.add(&mut canvas);
             rays += canvas.rays;
             last = Some(canvas);
@@ -61,7 +61,7 @@ fn samples_add_up_to_the_books_picture_bit_for_bit() {
         assert_eq!(canvas_bits(&last), canvas_bits(&expected), "{n}");
         assert_eq!(last.levels, expected.levels, "{n}");
         assert_eq!(rays, expected.rays);
-        let at_once = Rendering::new(&(view.picture)(camera, setting), SIZE);
+        let at_once = Canvas::render(&(view.picture)(camera, setting), SIZE);
         assert_eq!(canvas_bits(&at_once), canvas_bits(&expected), "{n}");
     }
 }
@@ -69,7 +69,7 @@ fn samples_add_up_to_the_books_picture_bit_for_bit() {
 #[test]
 fn the_first_of_the_samples_is_shown_as_it_is() {
     let sample = view("still-life").sample(CameraPose::START.camera(), 4.0, 0);
-    let [first, mut mean] = [(); 2].map(|()| Rendering::new(&sample, SIZE));
+    let [first, mut mean] = [(); 2].map(|()| Canvas::render(&sample, SIZE));
     Accumulator::new(SIZE).add(&mut mean);
     assert_eq!(canvas_bits(&mean), canvas_bits(&first));
 }
@@ -101,7 +101,7 @@ fn at_the_start_every_view_is_its_chapters_picture() {
             settings.push((knob.min, knob.min));
         }
         for (setting, its_setting) in settings {
-            let book = Rendering::new(&(hero.picture)(its_setting), SIZE);
+            let book = Canvas::render(&(hero.picture)(its_setting), SIZE);
             assert_eq!(walk.samples(setting), 1);
             for picture in [
                 (view.picture)(setting),
@@ -109,13 +109,13 @@ fn at_the_start_every_view_is_its_chapters_picture() {
                 walk.sample(camera, setting, 0),
                 walk.preview(camera, setting),
             ] {
-                let walked = Rendering::new(&picture, SIZE);
+                let walked = Canvas::render(&picture, SIZE);
                 assert_eq!(canvas_bits(&walked), canvas_bits(&book), "{}", view.name);
             }
         }
     }
-    let book = Rendering::new(&(packets::STAGE.hero().picture)(4.0), SIZE);
-    let walked = Rendering::new(&(STAGE.hero().picture)(4.0), SIZE);
+    let book = Canvas::render(&(packets::STAGE.hero().picture)(4.0), SIZE);
+    let walked = Canvas::render(&(STAGE.hero().picture)(4.0), SIZE);
     assert_eq!(canvas_bits(&walked), canvas_bits(&book));
 }
 
@@ -255,7 +255,7 @@ fn a_frame_that_takes_too_long_is_halved_until_it_does_not() {
 #[test]
 fn coarse_blocks_cover_the_picture_and_cost_what_they_say() {
     let picture = view("still-life").preview(CameraPose::START.camera(), 4.0);
-    let full = Rendering::new(&picture, SIZE).rays as f64;
+    let full = Canvas::render(&picture, SIZE).rays as f64;
     for lod in 0..=MAX_LOD {
         let size = size_at_lod(SIZE, lod);
         for pixel in Pixel::all(SIZE) {
@@ -265,7 +265,7 @@ fn coarse_blocks_cover_the_picture_and_cost_what_they_say() {
         let last = Pixel::all(SIZE).last().expect("a pixel");
         let last = block_of(last, lod);
         assert_eq!((last.x + 1, last.y + 1), (size.x, size.y));
-        let cost = Rendering::new(&picture, size).rays as f64 / full;
+        let cost = Canvas::render(&picture, size).rays as f64 / full;
         let pixels = f64::from(size.element_product());
         let fraction = pixels / f64::from(SIZE.element_product());
         assert!((0.5..2.0).contains(&(cost / fraction)), "{lod}: {cost}");
@@ -278,8 +278,8 @@ fn the_coarse_view_shows_what_the_window_does() {
     let preview = view("still-life").preview(CameraPose::START.camera(), 4.0);
     for lod in [0, 2, MAX_LOD] {
         let picture = (view("coarse").view.picture)(lod as f32);
-        let shown = Rendering::new(&picture, SIZE);
-        let frame = Rendering::new(&preview, size_at_lod(SIZE, lod));
+        let shown = Canvas::render(&picture, SIZE);
+        let frame = Canvas::render(&preview, size_at_lod(SIZE, lod));
         for (pixel, shown) in Pixel::all(SIZE).zip(&shown.radiance) {
             let Pixel { x, y, size } = block_of(pixel, lod);
             assert_eq!(*shown, frame.radiance[(y * size.x + x) as usize]);
@@ -314,7 +314,7 @@ proptest! {
         }
         let size = UVec2::new(21, 15);
         let walked = (view("still-life").picture)(pose.camera(), 2.0);
-        let walked = Rendering::new(&walked, size);
+        let walked = Canvas::render(&walked, size);
         prop_assert_eq!(canvas_bits(&walked), canvas_bits(&one_by_one(pose, 2, size)));
     }
 }

@@ -1,7 +1,7 @@
 //! Sixteen rays at once, and not a bit is different.
 
 use ::packets::{LANES, STAGE};
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::{UVec2, Vec3};
 use measure::pictures::{packet_picture, scalar_picture};
 use measure::random_scenes::{extreme, ordinary};
@@ -19,7 +19,7 @@ use sphere_hit::Sphere;
 
 /// The bits of a picture, and the number of rays traced for it.
 fn bits(picture: &Picture, size: UVec2) -> (Vec<[u32; 3]>, u64) {
-    let canvas = Rendering::new(picture, size);
+    let canvas = Canvas::render(picture, size);
     (
         canvas.radiance.iter().map(harness::bits).collect(),
         canvas.rays,
@@ -264,7 +264,7 @@ fn a_pixel_alone_is_the_same_as_in_its_row() {
     let size = UVec2::new(3 * LANES as u32 + 5, 4);
     for view in STAGE.views {
         let picture = (view.picture)(view.default_setting());
-        let canvas = Rendering::new(&picture, size);
+        let canvas = Canvas::render(&picture, size);
         for (pixel, radiance) in Pixel::all(size).zip(&canvas.radiance) {
             assert_eq!(
                 *radiance,
@@ -281,7 +281,7 @@ fn a_pixel_alone_is_the_same_as_in_its_row() {
 fn the_view_of_divergence_shows_full_and_partly_empty_packets() {
     let view = STAGE.view("divergence").expect("a view");
     let picture = (view.picture)(0.0);
-    let canvas = Rendering::new(&picture, UVec2::new(320, 240));
+    let canvas = Canvas::render(&picture, UVec2::new(320, 240));
     assert!(
         canvas
             .radiance

@@ -2,7 +2,7 @@
 
 use crate::{PIXELS, SIZE, at_centres, half_a_level};
 use ::plan::{DEFAULT_TOLERANCE, Plan, STAGE};
-use canvas::{Pixel, Rendering, decode, rays_so_far};
+use canvas::{Canvas, Pixel, decode, rays_so_far};
 use glam::{DVec2, DVec3, UVec2, Vec2, Vec3};
 use harness::{Numbers, percent, table};
 use measure::pictures::render;
@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 /// Returns the rays of a scene with one sample per pixel.
 fn rays(scene: &Scene<Material>, camera: Camera) -> usize {
     let plan = Plan::with_black_shadows(scene.clone(), DEFAULT_TOLERANCE);
-    Rendering::new(&at_centres(plan, camera), SIZE).rays as usize
+    Canvas::render(&at_centres(plan, camera), SIZE).rays as usize
 }
 
 fn without_lights(mut scene: Scene<Material>) -> Scene<Material> {
@@ -140,7 +140,7 @@ fn mirrors_are_within_the_tolerance() {
         let scene = scene.map(opaque);
         let exact = render(&Model::Plain(scene.clone()), camera, SIZE, deep);
         let plan = Plan::with_black_shadows(scene, tolerance);
-        let ours = Rendering::new(&at_centres(plan, camera), SIZE);
+        let ours = Canvas::render(&at_centres(plan, camera), SIZE);
         for (ours, exact) in ours.radiance.iter().zip(&exact.radiance) {
             let levels = |radiance: &Vec3| radiance.as_dvec3().map(oracle::level);
             let missing = levels(exact) - levels(ours);
@@ -203,7 +203,7 @@ struct Off {
 }
 
 fn off(model: &Model, camera: Camera) -> Off {
-    let ours = Rendering::new(&at_centres(half_a_level(model), camera), SIZE);
+    let ours = Canvas::render(&at_centres(half_a_level(model), camera), SIZE);
     let (scene, camera) = (model.exactly(), exact_camera(&camera));
     let levels = |at: DVec2| {
         let ray = camera.ray(at, SIZE.to_array());

@@ -3,7 +3,7 @@
 
 use crate::{at_centres, half_a_level};
 use ::plan::STAGE;
-use canvas::{Rendering, decode};
+use canvas::{Canvas, decode};
 use glam::UVec2;
 use harness::{Numbers, table, three_digits, with_separators};
 use measure::scenes::{SCENES, scene};
@@ -35,7 +35,7 @@ fn the_rays_are_those_in_the_book() {
         let plan = half_a_level(&model);
         let pictures = [at_centres(plan.clone(), camera), plan.picture(camera)];
         let [centres, planned] =
-            pictures.map(|picture| with_separators(Rendering::new(&picture, size).rays));
+            pictures.map(|picture| with_separators(Canvas::render(&picture, size).rays));
         [scene.name.to_string(), centres, planned]
     });
     let mut numbers = Numbers::default();

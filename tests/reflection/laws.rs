@@ -12,7 +12,7 @@ use ::shading::Phong;
 use ::shadows::Scene;
 use ::shadows::scene::lit_still_life;
 use ::sphere_hit::Sphere;
-use canvas::{Picture, Rendering, rays_so_far};
+use canvas::{Canvas, Picture, rays_so_far};
 use glam::{DVec3, UVec2, Vec3, vec3};
 use harness::{EPS, cases, largest_difference, render_at, unit_vector};
 use proptest::prelude::*;
@@ -345,7 +345,7 @@ fn a_deeper_budget_never_darkens_a_pixel() {
             let ray = camera.ray(pixel.centre());
             trace(&scene, &ray, PathBudget::new(depth))
         });
-        Rendering::new(&picture, UVec2::new(120, 90)).radiance
+        Canvas::render(&picture, UVec2::new(120, 90)).radiance
     };
     let depths = [0, 1, 2, 3, MAX_DEPTH].map(radiance);
     for pair in depths.windows(2) {
@@ -356,11 +356,11 @@ fn a_deeper_budget_never_darkens_a_pixel() {
 }
 
 /// Renders a small picture of the facing mirrors.
-fn render_facing_mirrors(budget: PathBudget) -> Rendering {
+fn render_facing_mirrors(budget: PathBudget) -> Canvas {
     let (scene, camera) = facing_mirrors(0.9);
     let picture =
         Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), budget));
-    Rendering::new(&picture, UVec2::new(120, 90))
+    Canvas::render(&picture, UVec2::new(120, 90))
 }
 
 /// A least throughput of 10⁻³ is at most a tenth of a level from a reference of 400 bounces

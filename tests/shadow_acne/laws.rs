@@ -5,7 +5,7 @@ use ::shadow_acne::{
     STAGE, SpawnRay, SurfaceRay, from_surface, trace, untracked, with_fixed_offset,
     with_scaled_offset, without_offset,
 };
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec3, dvec3};
 use harness::{Numbers, bits, percent, three_digits};
 use plane_hit::{Object, Shape, Texture};
@@ -464,7 +464,7 @@ fn render(scene: &Scene<Material>, eye: Vec3, method: SpawnRay) -> Vec<Vec3> {
         let ray = untracked(camera.ray(pixel.centre()));
         trace(&scene, &ray, PathBudget::new(MAX_DEPTH), method)
     });
-    Rendering::new(&picture, UVec2::new(80, 60)).radiance
+    Canvas::render(&picture, UVec2::new(80, 60)).radiance
 }
 
 /// In a room whose wall glows with exactly 1, and outside of which there is nothing, a ball that mirrors half

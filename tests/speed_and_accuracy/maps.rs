@@ -1,12 +1,12 @@
 //! The maps' colours.
 
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::{DVec3, UVec2, Vec3};
 use speed_and_accuracy::error_map::{cost_map, error_map, level_error};
 
 /// The radiance of one pixel of a map, as levels.
 fn levels_of(map: Picture) -> [u8; 3] {
-    Rendering::new(&map, UVec2::ONE).levels[0]
+    Canvas::render(&map, UVec2::ONE).levels[0]
 }
 
 fn grey(radiance: f32) -> Picture {

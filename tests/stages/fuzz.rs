@@ -3,7 +3,7 @@
 //! Ten thousand scenes of spheres that overlap, touch and contain each other, of planes, mirrors and glass,
 //! small and large, near and far, with the camera and the lights outside, inside and on the surfaces.
 
-use canvas::{Rendering, View};
+use canvas::{Canvas, View};
 use glam::{UVec2, Vec3};
 use plane_hit::{Object, Shape, Texture};
 use ray_casting::Camera;
@@ -50,7 +50,7 @@ fn rays_between_mirrors(tracer: Tracer, reflectivity: f32, depth: u32) -> u64 {
     };
     let camera = Camera::new(Vec3::ZERO, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
     let picture = tracer(&scene, camera, PathBudget::new(depth));
-    Rendering::new(&picture, UVec2::ONE).rays
+    Canvas::render(&picture, UVec2::ONE).rays
 }
 
 /// Nothing is lost between perfect mirrors, and only the depth ends it: one camera ray, and one for each bounce.
@@ -112,7 +112,7 @@ fn a_light_in_the_very_point_that_is_seen_gives_no_light() {
         let camera = Camera::new(eye, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
         for (name, tracer) in budgeted() {
             let picture = tracer(&scene, camera, PathBudget::new(MAX_DEPTH));
-            let radiance = Rendering::new(&picture, UVec2::ONE).radiance[0];
+            let radiance = Canvas::render(&picture, UVec2::ONE).radiance[0];
             assert_eq!(radiance, Vec3::splat(0.1), "{name}: a light at {distance}");
         }
     }
@@ -142,7 +142,7 @@ fn no_view_has_a_pixel_that_is_not_finite_however_its_knob_is_set() {
         for view in stage.views {
             for setting in settings(view, 8) {
                 let picture = (view.picture)(setting);
-                let radiance = Rendering::new(&picture, UVec2::new(40, 30)).radiance;
+                let radiance = Canvas::render(&picture, UVec2::new(40, 30)).radiance;
                 let name = stage.picture_name(view, setting);
                 assert!(
                     radiance.iter().all(|radiance| radiance.is_finite()),

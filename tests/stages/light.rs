@@ -1,6 +1,6 @@
 //! Laws of light that hold in every chapter that has lamps, or follows rays.
 
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::{DVec3, UVec2, Vec3};
 use harness::EPS;
 use measure::Random;
@@ -17,7 +17,7 @@ use transparency::Absorbing;
 const SIZE: UVec2 = UVec2::new(20, 15);
 
 fn radiance(picture: &Picture) -> Vec<DVec3> {
-    let canvas = Rendering::new(picture, SIZE);
+    let canvas = Canvas::render(picture, SIZE);
     canvas.radiance.into_iter().map(Vec3::as_dvec3).collect()
 }
 

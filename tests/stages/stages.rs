@@ -2,7 +2,7 @@
 //! many rays as the book says.
 
 use ::stages::STAGES;
-use canvas::{Knob, Rendering, Scale, Stage, View};
+use canvas::{Canvas, Knob, Scale, Stage, View};
 use glam::UVec2;
 use harness::{Numbers, cases, three_digits, with_separators};
 use proptest::prelude::*;
@@ -27,7 +27,7 @@ fn settings(view: &View) -> Vec<f32> {
 fn no_picture_has_a_pixel_that_is_not_finite() {
     for (stage, view) in views() {
         for setting in settings(view) {
-            let canvas = Rendering::new(&(view.picture)(setting), UVec2::new(64, 48));
+            let canvas = Canvas::render(&(view.picture)(setting), UVec2::new(64, 48));
             let name = stage.picture_name(view, setting);
             assert!(
                 canvas.radiance.iter().all(|radiance| radiance.is_finite()),
@@ -93,7 +93,7 @@ fn every_chapter_traces_as_many_rays_as_the_book_says() {
     let size = UVec2::new(160, 120);
     let row = |stage: &Stage| {
         let view = stage.hero();
-        let rays = Rendering::new(&(view.picture)(view.default_setting()), size).rays;
+        let rays = Canvas::render(&(view.picture)(view.default_setting()), size).rays;
         let per_pixel = three_digits(rays as f64 / f64::from(size.x * size.y));
         (rays > 0).then(|| {
             format!(

@@ -4,7 +4,7 @@ use ::reflection::{MAX_DEPTH, MIN_THROUGHPUT, PathBudget};
 use ::shadow_acne::from_eye;
 use ::transparency::scene::pool;
 use ::transparency::{STAGE, between_media, trace};
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::{DVec3, UVec2};
 use harness::agreement::{assert_deep, assert_scenes};
 use harness::{HERO, SMALL};
@@ -56,7 +56,7 @@ fn bodies_that_displace_each_other_agree_with_the_oracle() {
             let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
             trace(&scene, &ray, budget, between_media)
         });
-        let ours = Rendering::new(&picture, UVec2::new(64, 48));
+        let ours = Canvas::render(&picture, UVec2::new(64, 48));
         (ours, exact, exact_camera(&camera))
     });
     assert_scenes("11-transparency-bodies", pictures, limit, 5e-4);

@@ -8,7 +8,7 @@ use ::shading::Phong;
 use ::shadow_acne::from_eye;
 use ::shadows::{PointLight, Scene};
 use ::transparency::{Absorbing, STAGE, between_media, trace};
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::{Vec3, vec3};
 use harness::SMALL;
 use harness::povray::assert_water;
@@ -79,7 +79,7 @@ fn glass_in_the_water_is_as_povray_renders_it() {
         let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
         trace(&scene, &ray, PathBudget::new(MAX_DEPTH), between_media)
     });
-    let radiance = Rendering::new(&picture, SMALL).radiance;
+    let radiance = Canvas::render(&picture, SMALL).radiance;
     let ours: Vec<_> = radiance.iter().map(|v| v.as_dvec3()).collect();
     assert_water(STAGE.name, [0.0015, 1.5e-4], &ours);
 }

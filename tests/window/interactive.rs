@@ -38,7 +38,7 @@ fn one_by_one(pose: CameraPose, n: u32, size: UVec2) -> Vec<[u8; 3]> {
             )
         })
     });
-    Rendering::new(&picture, size).levels
+    Canvas::render(&picture, size).levels
 }
 
 /// Returns the pose that a command line asks for.

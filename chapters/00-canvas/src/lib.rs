@@ -1,102 +1,65 @@
-// ANCHOR: head
-//! A picture is a function from a pixel to light; a canvas holds what a screen shows of it.
-
-use glam::{UVec2, Vec2, Vec3};
-use image::{ColorType, ImageResult};
-use rayon::prelude::*;
-use std::path::Path;
-// ANCHOR_END: head
-
 // ANCHOR: ours
-#[expect(
-    missing_docs,
-    reason = "the line above the struct says what the fields are"
-)]
+//! A picture is a function from a pixel to light; the canvas renders it.
 // ANCHOR_END: ours
-// ANCHOR: pixel
-/// One pixel of a picture of `size` pixels; `x` counts from the left, `y` from the top.
+// ANCHOR: render
+use glam::{UVec2, Vec3};
+use image::ImageResult;
+pub use image::RgbImage;
+use rayon::prelude::*;
+
+/// One pixel of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
+    /// Column, from 0 at the left.
     pub x: u32,
+    /// Row, from 0 at the top.
     pub y: u32,
+    /// Width and height of the whole picture, in pixels.
     pub size: UVec2,
 }
-// ANCHOR_END: pixel
 
-// ANCHOR: ours
-#[expect(
-    missing_docs,
-    reason = "the line above the struct says what the fields are"
-)]
-// ANCHOR_END: ours
-// ANCHOR: canvas
-/// A rendered picture: sRGB levels, 0 to 255, row by row from the top left.
-pub struct Canvas {
-    pub size: UVec2,
-    pub levels: Vec<[u8; 3]>,
+/// Renders a picture on all cores: `radiance` returns a pixel's linear light, 1 for white.
+pub fn render(size: UVec2, radiance: impl Fn(Pixel) -> Vec3 + Sync) -> RgbImage {
+    let mut picture = RgbImage::new(size.x, size.y);
+    let pixels = picture.par_chunks_mut(3).enumerate();
+    pixels.for_each(|(i, levels)| {
+        let (x, y) = (i as u32 % size.x, i as u32 / size.x);
+        levels.copy_from_slice(&encode(radiance(Pixel { x, y, size })));
+    });
+    picture
 }
-
-impl Canvas {
-    /// Renders the picture whose pixels have the light that `radiance` returns: linear, where
-    /// 1 is white.
-    pub fn render(size: UVec2, radiance: impl Fn(Pixel) -> Vec3 + Sync) -> Self {
-        let indices = (0..size.x * size.y).into_par_iter();
-        let pixels = indices.map(|i| Pixel {
-            x: i % size.x,
-            y: i / size.x,
-            size,
-        });
-        let levels = pixels.map(|pixel| encode(radiance(pixel))).collect();
-        Self { size, levels }
-    }
-
-    /// Saves the canvas as an image, of the kind that the path's extension says.
-    pub fn save(&self, path: impl AsRef<Path>) -> ImageResult<()> {
-        let levels = self.levels.as_flattened();
-        let UVec2 { x, y } = self.size;
-        image::save_buffer(path, levels, x, y, ColorType::Rgb8)
-    }
-}
-// ANCHOR_END: canvas
+// ANCHOR_END: render
 
 // ANCHOR: ours
 #[expect(
     clippy::disallowed_methods,
-    reason = "no f32 is within 10⁻⁹ of a level of a border between levels, and the power is exact to 10⁻¹³"
+    reason = "no f32 is within 10⁻⁹ of a level of a border between two levels, and the power is exact to 10⁻¹³"
 )]
 // ANCHOR_END: ours
 // ANCHOR: encode
-/// Returns the sRGB levels of linear light. Light below 0 and NaN give 0, light above 1 gives
-/// 255. Source: IEC 61966-2-1.
+/// Returns the sRGB levels of linear light: 0 to 255, also for light below 0 and above 1.
 pub fn encode(radiance: Vec3) -> [u8; 3] {
-    radiance.to_array().map(|channel| {
-        let linear = f64::from(channel);
-        let encoded = if linear <= 0.0031308 {
-            12.92 * linear
-        } else {
-            1.055 * linear.powf(1.0 / 2.4) - 0.055
-        };
+    radiance.as_dvec3().to_array().map(|v| {
+        let curve = 1.055 * v.powf(1.0 / 2.4) - 0.055;
+        let encoded = if v <= 0.0031308 { 12.92 * v } else { curve };
         (255.0 * encoded).round() as u8
     })
 }
 // ANCHOR_END: encode
 
 // ANCHOR: differing
-impl Canvas {
-    /// Returns how many pixels differ from those of an image file: all of them, if the file's
-    /// size is another.
-    pub fn differing(&self, path: impl AsRef<Path>) -> ImageResult<usize> {
-        let image = image::open(path)?.into_rgb8();
-        if image.dimensions() != self.size.into() {
-            return Ok(self.levels.len());
-        }
-        let pairs = self.levels.iter().zip(image.pixels());
-        Ok(pairs.filter(|(levels, pixel)| **levels != pixel.0).count())
-    }
+/// Returns how many pixels differ from those of an image file of the same size.
+pub fn differing(picture: &RgbImage, path: &str) -> ImageResult<usize> {
+    let other = image::open(path)?.into_rgb8();
+    assert_eq!(picture.dimensions(), other.dimensions(), "{path}");
+    let pairs = picture.pixels().zip(other.pixels());
+    Ok(pairs.filter(|(pixel, other)| pixel != other).count())
 }
 // ANCHOR_END: differing
 
 // ANCHOR: centre
+use glam::Vec2;
+
 impl Pixel {
     /// Returns the pixel's centre on the image plane: x to the right, y up, the origin in
     /// the middle. The image plane is 2 high, from −1 to 1, and as wide as the picture's
@@ -151,7 +114,7 @@ mod rows;
 pub mod srgb;
 mod stage;
 pub mod views;
-pub use picture::{Picture, Rendering};
+pub use picture::{Canvas, Picture};
 pub use rays::{count_ray, count_rays, rays_so_far, rays_traced};
 pub use rows::{Row, spawn_render};
 pub use stage::{Knob, Scale, Stage, View, folder_name};

@@ -54,9 +54,9 @@ impl Picture {
 }
 // ANCHOR_END: picture
 
-// ANCHOR: rendering
+// ANCHOR: canvas
 /// A rendered picture with its light, row by row from the top, each row from the left.
-pub struct Rendering {
+pub struct Canvas {
     /// Width and height, in pixels.
     pub size: UVec2,
     /// Linear light: red, green and blue, where 1 is white.
@@ -67,8 +67,8 @@ pub struct Rendering {
     pub rays: u64,
 }
 
-impl Rendering {
-    /// Returns a rendering of which every pixel is black.
+impl Canvas {
+    /// Returns a canvas on which every pixel is black.
     pub fn black(size: UVec2) -> Self {
         let pixels = size.x as usize * size.y as usize;
         Self {
@@ -80,20 +80,20 @@ impl Rendering {
     }
 
     /// Renders `picture` on all cores. The result does not depend on their number. A size
-    /// of 0 in either direction gives an empty rendering.
-    pub fn new(picture: &Picture, size: UVec2) -> Self {
-        let mut rendering = Self::black(size);
+    /// of 0 in either direction gives an empty canvas.
+    pub fn render(picture: &Picture, size: UVec2) -> Self {
+        let mut canvas = Self::black(size);
         // A chunk of 0 pixels is not allowed, not even of nothing.
         let width = size.x.max(1) as usize;
-        let rows = rendering.radiance.par_chunks_mut(width);
-        let rows = rows.zip(rendering.levels.par_chunks_mut(width)).enumerate();
-        rendering.rays = rows
+        let rows = canvas.radiance.par_chunks_mut(width);
+        let rows = rows.zip(canvas.levels.par_chunks_mut(width)).enumerate();
+        canvas.rays = rows
             .map(|(y, (radiance, levels))| {
                 let y = y as u32;
                 rows::render_row(picture, Pixel { x: 0, y, size }, radiance, levels)
             })
             .sum();
-        rendering
+        canvas
     }
 }
-// ANCHOR_END: rendering
+// ANCHOR_END: canvas

@@ -1,8 +1,8 @@
-//! Rows, rendered one by one: into a picture, in the background, for a window to show, or for
+//! Rows, rendered one by one: into a canvas, in the background, for a window to show, or for
 //! a file that is larger than the memory.
 
 use crate::srgb::encode;
-use crate::{Picture, Pixel, Rendering, rays_so_far};
+use crate::{Canvas, Picture, Pixel, rays_so_far};
 use glam::{UVec2, Vec3};
 use rayon::prelude::*;
 use std::sync::mpsc::{Receiver, channel};
@@ -40,11 +40,11 @@ pub struct Row {
     pub rays: u64,
 }
 
-impl Rendering {
-    /// Copies a rendered row into the picture.
+impl Canvas {
+    /// Copies a rendered row into the canvas.
     ///
     /// # Panics
-    /// If the row is not as wide as the picture, or below its last row.
+    /// If the row is not as wide as the canvas, or below its last row.
     pub fn write_row(&mut self, row: &Row) {
         let start = row.y as usize * self.size.x as usize;
         let pixels = start..start + self.size.x as usize;
@@ -58,7 +58,7 @@ impl Rendering {
 // ANCHOR: background
 /// Renders `picture` in the background; rows arrive in the order in which they are done.
 ///
-/// Rendering stops when the receiver is dropped, or when every row has been sent.
+/// Canvas stops when the receiver is dropped, or when every row has been sent.
 pub fn spawn_render(picture: Picture, size: UVec2) -> Receiver<Row> {
     let (sender, rows) = channel();
     rayon::spawn(move || {

@@ -3,14 +3,14 @@
 use crate::scene::{STILL_LIFE_FOCAL_LENGTH, still_life_camera};
 use crate::{Camera, trace};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "A ray for every pixel",
     hero: "directions",
-    bugs: &[],
+    bugs: &["upside-down"],
     views: &[
         View {
             name: "directions",
@@ -26,6 +26,18 @@ pub const STAGE: Stage = Stage {
             picture: |focal_length| {
                 let camera = with_focal_length(focal_length);
                 Picture::new(move |pixel| trace(&camera.ray(pixel.centre())))
+            },
+        },
+        View {
+            name: "upside-down",
+            caption: "The bug: y counts downwards on the image plane, as the rows do in the picture, and the sky is below.",
+            knob: None,
+            picture: |_| {
+                let camera = still_life_camera();
+                Picture::new(move |pixel| {
+                    let Vec2 { x, y } = pixel.centre();
+                    trace(&camera.ray(Vec2::new(x, -y)))
+                })
             },
         },
     ],

@@ -2,6 +2,8 @@
 //! The intersection of a ray and a sphere: the textbook's formula, how it fails, and a
 //! stable one.
 
+pub mod scene;
+
 use glam::{DVec3, Vec3};
 use ray_casting::{MAX_LENGTH, Ray, checked_normalize, is_length, is_position};
 // ANCHOR_END: head

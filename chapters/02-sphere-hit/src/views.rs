@@ -1,5 +1,6 @@
 //! The chapter's pictures.
 
+use crate::scene::camera_at;
 use crate::{Sphere, T_MAX};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use glam::{Vec2, Vec3};
@@ -93,16 +94,10 @@ pub fn first_sphere(camera: Camera, colour: fn(Vec3) -> Vec3) -> Picture {
     })
 }
 
-/// Returns the picture of a sphere of radius 1 whose surface is `distance` away, by a focal
-/// length so long that the sphere fills most of the picture.
+/// Returns the picture of a sphere of radius 1 whose surface is `distance` away.
 fn from_afar(distance: f32, intersect: fn(&Sphere, &Ray, f32) -> Option<f32>) -> Picture {
     let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
-    let to_centre = 1.0 + distance;
-    // The rays that touch the sphere make an angle with sin = 1 / to_centre: its tangent, times the
-    // focal length, is the radius on the image plane.
-    let focal_length = 0.8 * (to_centre * to_centre - 1.0).sqrt();
-    let eye = Vec3::new(0.0, 0.0, -to_centre);
-    let camera = Camera::new(eye, Vec3::Z, Vec3::Y, focal_length).expect("a camera");
+    let camera = camera_at(distance);
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());
         canvas::count_ray();

@@ -1,9 +1,10 @@
-//! The still life in the light of its two lights.
+//! The still life in the light of its two lights, and a light between two balls.
 
 use crate::{PointLight, Scene};
 use glam::Vec3;
 use plane_hit::scene::still_life;
-use ray_casting::SKY;
+use plane_hit::{Object, Shape, Texture};
+use ray_casting::{Camera, SKY};
 
 // ANCHOR: lit
 /// Returns the still life, made of `materials`, with its two lights.
@@ -18,3 +19,31 @@ pub fn lit_still_life<M>(materials: [M; 6]) -> Scene<M> {
     Scene::new(still_life(materials), lights, SKY).expect("six surfaces")
 }
 // ANCHOR_END: lit
+
+// ANCHOR: between
+/// Returns a scene of a ball on the floor, another high above it, and a light between the
+/// two; and a camera.
+pub fn light_between_balls() -> (Scene<Texture>, Camera) {
+    let ball = |name, height, colour| Object {
+        name,
+        shape: Shape::sphere(Vec3::new(0.0, height, 0.0), 0.5),
+        material: Texture::Solid(colour),
+    };
+    let floor = Object {
+        name: "floor",
+        shape: Shape::plane(Vec3::ZERO, Vec3::Y),
+        material: Texture::Solid(Vec3::splat(0.7)),
+    };
+    let objects = vec![
+        floor,
+        ball("lower", 0.5, Vec3::new(0.9, 0.3, 0.05)),
+        ball("upper", 3.0, Vec3::new(0.1, 0.5, 0.6)),
+    ];
+    let light = PointLight::new(Vec3::new(0.7, 2.0, 0.0), 1.0).expect("a valid light");
+    let scene = Scene::new(objects, vec![light], SKY).expect("three surfaces");
+    let eye = Vec3::new(0.0, 2.5, -8.0);
+    let towards = Vec3::new(0.3, 1.5, 0.0) - eye;
+    let camera = Camera::new(eye, towards, Vec3::Y, 3.0).expect("a camera");
+    (scene, camera)
+}
+// ANCHOR_END: between

@@ -12,7 +12,7 @@ pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "Ambient, diffuse, specular",
     hero: "combined",
-    bugs: &[],
+    bugs: &["too-much-light"],
     views: &[
         View {
             name: "combined",
@@ -61,6 +61,19 @@ pub const STAGE: Stage = Stage {
                     ambient: 0.0,
                     diffuse: 0.0,
                     shininess: shininess as u32,
+                    ..surface
+                })
+            },
+        },
+        View {
+            name: "too-much-light",
+            caption: "The bug: kₐ, k_d and kₛ add up to 2.5, and all that is brighter than white is white.",
+            knob: None,
+            picture: |_| {
+                still_life_of(still_life_camera(), |surface| Phong {
+                    ambient: 0.5,
+                    diffuse: 1.0,
+                    specular: 1.0,
                     ..surface
                 })
             },

@@ -1,12 +1,14 @@
-//! The still life with its mirrors, and two mirrors that face each other.
+//! The still life with its mirrors, two mirrors that face each other, and a mirror sphere from
+//! within.
 
-use crate::Mirror;
-use glam::Vec3;
-use plane_hit::{Object, Shape, Texture};
-use ray_casting::{Camera, SKY};
+use crate::{Mirror, bounce_inside};
+use glam::{Vec2, Vec3};
+use plane_hit::{Object, Shape, Texture, is_even};
+use ray_casting::{Camera, Ray, SKY};
 use shading::Phong;
 use shading::scene::still_life_surfaces;
 use shadows::{PointLight, Scene};
+use sphere_hit::{Sphere, T_MAX};
 
 // ANCHOR: mirrors
 /// Returns the still life's surfaces with the mirror and a little reflectivity of the green
@@ -93,3 +95,40 @@ pub fn facing_mirrors(reflectivity: f32) -> (Scene<Mirror>, Camera) {
     (scene, camera)
 }
 // ANCHOR_END: facing
+
+// ANCHOR: inside
+/// Returns the colour of the checkered inside of a mirror sphere of radius 1 where a `ray` from
+/// within it arrives after a number of bounces, each by `reflect`: red, green and blue grow with
+/// x, y and z. Black if the ray is lost.
+pub fn colour_inside(
+    mut ray: Ray,
+    bounces: u32,
+    reflect: fn(Vec3, Vec3) -> Vec3,
+) -> Vec3 {
+    let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
+    canvas::count_ray();
+    let Some(t) = sphere.distance(&ray, T_MAX) else {
+        return Vec3::ZERO;
+    };
+    // The first wall, then one more for every bounce.
+    let normal = sphere.normal(ray.at(t));
+    ray.direction = reflect(ray.direction, normal);
+    ray.origin = normal;
+    for _ in 0..bounces {
+        ray = bounce_inside(&sphere, &ray, reflect);
+    }
+    let end = ray.origin;
+    if !((end.length() - 1.0).abs() < LOST) {
+        return Vec3::ZERO;
+    }
+    let colour = (end + Vec3::ONE) / 2.0;
+    if is_even(6.0 * Vec2::new(end.x, end.y)) {
+        colour
+    } else {
+        0.6 * colour
+    }
+}
+
+/// A point this far from the sphere of radius 1 that it should be on is lost.
+const LOST: f32 = 0.1;
+// ANCHOR_END: inside

@@ -1,17 +1,13 @@
 //! The chapter's pictures.
 
-use crate::scene::{facing_mirrors, still_life_mirrors};
-use crate::{
-    MAX_DEPTH, Mirror, PathBudget, bounce_inside, reflect, reflect_unnormalized, trace,
-};
+use crate::scene::{colour_inside, facing_mirrors, still_life_mirrors};
+use crate::{MAX_DEPTH, Mirror, PathBudget, reflect, reflect_unnormalized, trace};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
-use glam::{Vec2, Vec3};
-use plane_hit::is_even;
+use glam::Vec3;
 use ray_casting::Camera;
 use ray_casting::scene::still_life_camera;
 use shadows::Scene;
 use shadows::scene::lit_still_life;
-use sphere_hit::{Sphere, T_MAX};
 
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
@@ -94,34 +90,9 @@ pub fn picture_of(scene: Scene<Mirror>, camera: Camera, depth: f32) -> Picture {
 /// Returns the picture of the inside of a mirror sphere with a checkered surface, after a
 /// number of bounces.
 fn inside_a_sphere(bounces: f32, reflect: fn(Vec3, Vec3) -> Vec3) -> Picture {
-    let sphere = Sphere::new(Vec3::ZERO, 1.0).expect("a sphere");
     let eye = Vec3::new(0.0, 0.0, -0.6);
     let camera = Camera::new(eye, Vec3::Z, Vec3::Y, 1.0).expect("a camera");
     Picture::new(move |pixel| {
-        let mut ray = camera.ray(pixel.centre());
-        canvas::count_ray();
-        let Some(t) = sphere.distance(&ray, T_MAX) else {
-            return Vec3::ZERO;
-        };
-        // The first wall, then one more for every bounce.
-        let normal = sphere.normal(ray.at(t));
-        ray.direction = reflect(ray.direction, normal);
-        ray.origin = normal;
-        for _ in 0..bounces as u32 {
-            ray = bounce_inside(&sphere, &ray, reflect);
-        }
-        let end = ray.origin;
-        if !((end.length() - 1.0).abs() < LOST) {
-            return Vec3::ZERO;
-        }
-        let colour = (end + Vec3::ONE) / 2.0;
-        if is_even(6.0 * Vec2::new(end.x, end.y)) {
-            colour
-        } else {
-            0.6 * colour
-        }
+        colour_inside(camera.ray(pixel.centre()), bounces as u32, reflect)
     })
 }
-
-/// A point this far from the sphere of radius 1 that it should be on is lost.
-const LOST: f32 = 0.1;

@@ -1,16 +1,13 @@
 //! The chapter's pictures.
 
+use crate::scene::reflectance_along;
 use crate::{Reflectance, fresnel, schlick, trace};
 use canvas::{Picture, Stage, View, folder_name};
-use glam::Vec3;
-use plane_hit::nearest;
 use ray_casting::Camera;
 use ray_casting::scene::still_life_camera;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::{AIR, GLASS, close_up, still_life_with_glass};
 use refraction::views::eta_knob;
-use refraction::{Interface, Optics};
-use shadows::Interaction;
 
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
@@ -64,7 +61,7 @@ pub fn picture_of(
 }
 
 /// Returns the picture of the reflectance at each point of the glass ball's surface, seen
-/// from nearby; all else is flat.
+/// from nearby.
 fn reflectance_of(
     eta_inside: f32,
     eta_outside: f32,
@@ -72,23 +69,6 @@ fn reflectance_of(
 ) -> Picture {
     let objects = still_life_with_glass(eta_inside, eta_outside).objects;
     Picture::new(move |pixel| {
-        let ray = close_up().ray(pixel.centre());
-        let Some(hit) = nearest(&objects, &ray) else {
-            return BACKDROP;
-        };
-        let at = Interaction::new(&objects, &ray, hit);
-        let Optics::Dielectric {
-            eta_inside,
-            eta_outside,
-        } = objects[at.index].material.optics
-        else {
-            return BACKDROP;
-        };
-        let Interface { eta_i, eta_t } = Interface::new(&at, eta_inside, eta_outside);
-        let cos_theta_i = -at.normal.dot(at.incident);
-        Vec3::splat(reflectance(cos_theta_i, eta_i, eta_t))
+        reflectance_along(&close_up().ray(pixel.centre()), &objects, reflectance)
     })
 }
-
-/// The colour of all but the ball.
-const BACKDROP: Vec3 = Vec3::new(0.05, 0.1, 0.2);

@@ -11,7 +11,7 @@ pub use pose::{CameraPose, FOCAL_LENGTHS, PoseError, WORLD};
 pub use render_thread::{Frame, RenderRequest, RenderThread};
 
 use canvas::srgb::encode;
-use canvas::{Pixel, Rendering};
+use canvas::{Canvas, Pixel};
 use glam::{UVec2, Vec3};
 use rayon::prelude::*;
 use std::time::Duration;
@@ -73,7 +73,7 @@ impl Accumulator {
     ///
     /// The samples are added in their order and divided once, so that after n × n of them
     /// the mean has the bits of [`anti_aliasing::regular`].
-    pub fn add(&mut self, sample: &mut Rendering) {
+    pub fn add(&mut self, sample: &mut Canvas) {
         self.count += 1;
         let count = self.count as f32;
         let pixels = sample.radiance.par_iter_mut().zip(&mut sample.levels);

@@ -3,7 +3,7 @@
 
 use crate::views::WalkView;
 use crate::{Accumulator, CameraPose, block_of, next_lod, size_at_lod};
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::UVec2;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -33,7 +33,7 @@ pub struct Frame {
     /// The request.
     pub request: RenderRequest,
     /// The frame, of the size that [`size_at_lod`] returns.
-    pub canvas: Rendering,
+    pub canvas: Canvas,
     /// Its level of detail.
     pub lod: u32,
     /// The number of samples per pixel so far; 0 while it is coarse.
@@ -145,7 +145,7 @@ impl Shared {
             // each other, no other frame is shown.
             let start = Instant::now();
             let coarse = view.preview(camera, setting);
-            let canvas = Rendering::new(&coarse, size_at_lod(size, lod));
+            let canvas = Canvas::render(&coarse, size_at_lod(size, lod));
             let took = start.elapsed();
             let is_exact = lod == 0 && total_samples == 1;
             publish(canvas, lod, u32::from(is_exact), took);
@@ -159,7 +159,7 @@ impl Shared {
                 let start = Instant::now();
                 let sample = view.sample(camera, setting, i);
                 let sample = Arc::clone(&self).while_latest(generation, sample);
-                let mut canvas = Rendering::new(&sample, size);
+                let mut canvas = Canvas::render(&sample, size);
                 if !self.is_latest(generation) {
                     break;
                 }

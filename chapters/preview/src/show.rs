@@ -1,24 +1,30 @@
+// ANCHOR: ours
 //! A window in a few lines of minifb, without a command line, for a reader to write.
-
-use canvas::Canvas;
+// ANCHOR_END: ours
+// ANCHOR: show
+pub use image::ImageResult;
+use image::RgbImage;
 use minifb::{Key, Window, WindowOptions};
 
-// ANCHOR: show
-/// Shows a rendered picture in a window until Escape is pressed or the window is closed.
-///
-/// # Errors
-/// If no window can be opened, for example without a display.
-pub fn show(canvas: &Canvas, title: &str) -> minifb::Result<()> {
-    let [width, height] = canvas.size.to_array().map(|side| side as usize);
-    let mut window = Window::new(title, width, height, WindowOptions::default())?;
+/// Saves a picture as `NAME.png`, and shows it in a window until Escape is pressed or the
+/// window is closed. Without a display it only says so.
+pub fn save_and_show(picture: &RgbImage, name: &str) -> ImageResult<()> {
+    picture.save(format!("{name}.png"))?;
+    let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
+    let Ok(mut window) = Window::new(name, width, height, WindowOptions::default())
+    else {
+        eprintln!("no window: there is no display; the picture is in {name}.png");
+        return Ok(());
+    };
     window.set_target_fps(30);
-    let levels = canvas.levels.iter();
-    let screen: Vec<u32> = levels
-        .map(|&[red, green, blue]| u32::from_be_bytes([0, red, green, blue]))
-        .collect();
-    while window.is_open() && !window.is_key_down(Key::Escape) {
-        window.update_with_buffer(&screen, width, height)?;
-    }
+    let pixels = picture.pixels().map(|pixel| pixel.0);
+    let levels =
+        pixels.map(|[red, green, blue]| u32::from_be_bytes([0, red, green, blue]));
+    let screen: Vec<u32> = levels.collect();
+    while window.is_open()
+        && !window.is_key_down(Key::Escape)
+        && window.update_with_buffer(&screen, width, height).is_ok()
+    {}
     Ok(())
 }
 // ANCHOR_END: show

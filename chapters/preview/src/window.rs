@@ -6,7 +6,7 @@ use crate::file::save_png;
 use crate::keyboard::{KeyEvent, Keyboard, digit};
 use crate::memory::make_room;
 use crate::terminal::{print_error, print_line};
-use canvas::{Rendering, Row, Stage, View, spawn_render};
+use canvas::{Canvas, Row, Stage, View, spawn_render};
 use glam::UVec2;
 use minifb::{Key, ScaleMode, Window, WindowOptions};
 use std::collections::HashMap;
@@ -107,7 +107,7 @@ struct Preview {
     view: &'static View,
     /// The settings of the knobs that have been turned, by the name of the view.
     settings: HashMap<&'static str, f32>,
-    canvas: Rendering,
+    canvas: Canvas,
     /// Pixels 0x00RRGGBB. The old picture stays until the new one's rows replace it.
     screen: Vec<u32>,
     /// The rows that are being rendered; `None` when the picture is done.
@@ -119,7 +119,7 @@ struct Preview {
 
 impl Preview {
     fn new(stage: &'static Stage, args: &RenderArgs) -> Self {
-        let canvas = Rendering::black(args.size);
+        let canvas = Canvas::black(args.size);
         let mut preview = Self {
             stage,
             view: args.view,
@@ -201,7 +201,7 @@ impl Preview {
         let name = self.stage.picture_name(self.view, self.setting());
         let path = PathBuf::from(format!("{name}.png"));
         let path = std::path::absolute(&path).unwrap_or(path);
-        let Rendering { size, levels, .. } = &self.canvas;
+        let Canvas { size, levels, .. } = &self.canvas;
         match save_png(&path, *size, &[], |write| write(levels)) {
             Ok(()) => {
                 print_line(path.display())?;

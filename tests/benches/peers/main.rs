@@ -6,7 +6,7 @@ mod common;
 mod found;
 mod tinyraytracer;
 
-use canvas::Rendering;
+use canvas::Canvas;
 use common::Error;
 use found::{POV_RAY, Peers, TINYRAYTRACER, traced_s};
 use glam::UVec2;
@@ -181,7 +181,7 @@ fn ours(folder: &Path) -> Vec<Runner<'_>> {
         let pool = pool(threads);
         runners.push(runner(SAMPLED, name, move || {
             timed(|| {
-                pool.install(|| black_box(Rendering::new(&picture, SIZE)));
+                pool.install(|| black_box(Canvas::render(&picture, SIZE)));
                 Ok(())
             })
         }));

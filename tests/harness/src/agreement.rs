@@ -10,7 +10,7 @@
 //! * in a mirror and in glass, which show those edges once more, and smaller.
 
 use crate::{Numbers, percent};
-use canvas::{Pixel, Rendering, Stage};
+use canvas::{Canvas, Pixel, Stage};
 use glam::{DVec2, DVec3, UVec2};
 use oracle::{Camera, Limit, Ray, Scene};
 use rayon::prelude::*;
@@ -49,7 +49,7 @@ pub fn assert_deep(stage: &Stage, size: UVec2, n: u32, scene: Scene, fraction: f
 /// If more than `fraction` of all pixels differ, or one that is not at an edge.
 pub fn assert_scenes(
     name: &str,
-    pictures: impl IntoIterator<Item = (Rendering, Scene, Camera)>,
+    pictures: impl IntoIterator<Item = (Canvas, Scene, Camera)>,
     limit: Limit,
     fraction: f64,
 ) {
@@ -67,7 +67,7 @@ pub fn assert_scenes(
 
 /// Two pictures of one scene: ours, and the oracle's.
 struct Comparison<T> {
-    ours: Rendering,
+    ours: Canvas,
     /// A pixel is the mean of n × n samples.
     n: u32,
     scene: Scene,

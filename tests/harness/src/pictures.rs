@@ -1,7 +1,7 @@
 //! Pictures of a chapter's views, and the rays that they take.
 
 use crate::{bits, table, with_separators};
-use canvas::{Picture, Rendering, Stage};
+use canvas::{Canvas, Picture, Stage};
 use glam::{UVec2, Vec3};
 
 /// The size of a page's large picture.
@@ -11,22 +11,22 @@ pub const SMALL: UVec2 = UVec2::new(320, 240);
 
 /// Returns the canvas of a view at its default setting.
 #[must_use]
-pub fn render(stage: &Stage, view: &str, size: UVec2) -> Rendering {
+pub fn render(stage: &Stage, view: &str, size: UVec2) -> Canvas {
     let view = stage.view(view).expect("a view of the stage");
-    Rendering::new(&(view.picture)(view.default_setting()), size)
+    Canvas::render(&(view.picture)(view.default_setting()), size)
 }
 
 /// Returns the canvas of a view at some setting of its knob.
 #[must_use]
-pub fn render_at(stage: &Stage, view: &str, setting: f32, size: UVec2) -> Rendering {
+pub fn render_at(stage: &Stage, view: &str, setting: f32, size: UVec2) -> Canvas {
     let view = stage.view(view).expect("a view of the stage");
-    Rendering::new(&(view.picture)(setting), size)
+    Canvas::render(&(view.picture)(setting), size)
 }
 
 /// Returns the greatest difference of two pictures in any channel, in levels that are not
 /// rounded.
 #[must_use]
-pub fn largest_difference(a: &Rendering, b: &Rendering) -> f64 {
+pub fn largest_difference(a: &Canvas, b: &Canvas) -> f64 {
     let levels =
         |radiance: &Vec3| radiance.to_array().map(|x| oracle::level(f64::from(x)));
     let pairs = a.radiance.iter().zip(&b.radiance);
@@ -73,7 +73,7 @@ pub fn check_threads(stage: &Stage) {
 fn render_on(threads: usize, picture: &Picture) -> (Vec<[u32; 3]>, u64) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("a few threads");
-    let canvas = pool.install(|| Rendering::new(picture, UVec2::new(160, 120)));
+    let canvas = pool.install(|| Canvas::render(picture, UVec2::new(160, 120)));
     (canvas.radiance.iter().map(bits).collect(), canvas.rays)
 }
 

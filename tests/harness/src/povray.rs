@@ -4,7 +4,7 @@
 //! `tests/povray` holds its scenes, its pictures and the script that made them.
 
 use crate::{HERO, Numbers, percent, three_digits};
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::DVec3;
 use std::path::Path;
 
@@ -63,7 +63,7 @@ fn difference(
 /// If the pictures differ by more.
 pub fn assert_picture(name: &str, ours: impl Fn(u32) -> Picture) {
     assert_radiance(name, [0.05, 0.0025], |bounces| {
-        let radiance = Rendering::new(&ours(bounces), HERO).radiance;
+        let radiance = Canvas::render(&ours(bounces), HERO).radiance;
         radiance
             .iter()
             .map(|radiance| radiance.as_dvec3())

@@ -1,7 +1,7 @@
 //! Every picture of every chapter, compared for equality with the one in the book.
 
 use crate::{HERO, SMALL};
-use canvas::{Rendering, Stage};
+use canvas::{Canvas, Stage};
 use image::{ImageFormat, Rgb, RgbImage};
 use insta::internals::SnapshotContents;
 use insta::{Comparator, Snapshot, assert_binary_snapshot};
@@ -27,7 +27,7 @@ pub fn check_pictures(stage: &Stage) {
         for &setting in [view.default_setting()].iter().chain(others) {
             let is_hero = view.name == stage.hero && setting == view.default_setting();
             let size = if is_hero { HERO } else { SMALL };
-            let canvas = Rendering::new(&(view.picture)(setting), size);
+            let canvas = Canvas::render(&(view.picture)(setting), size);
             let name = stage.picture_name(view, setting);
             if let Err(complaint) = check_picture(&name, &canvas) {
                 writeln!(complaints, "\n{name}: {complaint}")
@@ -56,7 +56,7 @@ and look at the changed files in {folder}.\n"
 }
 
 /// Compares a picture with the one in the book; the error says how they differ.
-fn check_picture(name: &str, canvas: &Rendering) -> Result<(), String> {
+fn check_picture(name: &str, canvas: &Canvas) -> Result<(), String> {
     let comparator = ByPixels::default();
     let mut settings = insta::Settings::new();
     settings.set_snapshot_path(concat!(
@@ -128,7 +128,7 @@ fn decode(snapshot: &Snapshot) -> Option<RgbImage> {
     }
 }
 
-fn image_of(canvas: &Rendering) -> RgbImage {
+fn image_of(canvas: &Canvas) -> RgbImage {
     let bytes = canvas.levels.as_flattened().to_vec();
     RgbImage::from_raw(canvas.size.x, canvas.size.y, bytes).expect("three levels a pixel")
 }

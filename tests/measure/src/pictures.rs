@@ -3,7 +3,7 @@
 use crate::scenes::{Model, exact_camera};
 use anti_aliasing::sobol::sample_position;
 use anti_aliasing::{hash, regular};
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec3};
 use oracle::Limit;
 use ray_casting::{Camera, Ray};
@@ -23,16 +23,11 @@ pub fn camera_rays(camera: &Camera, size: UVec2) -> Vec<Ray> {
 
 /// Returns the canvas of a scene with one sample per pixel, by the chapters' own tracers.
 #[must_use]
-pub fn render(
-    model: &Model,
-    camera: Camera,
-    size: UVec2,
-    budget: PathBudget,
-) -> Rendering {
+pub fn render(model: &Model, camera: Camera, size: UVec2, budget: PathBudget) -> Canvas {
     let model = model.clone();
     let picture =
         Picture::new(move |pixel| model.trace(camera.ray(pixel.centre()), budget));
-    Rendering::new(&picture, size)
+    Canvas::render(&picture, size)
 }
 
 /// Returns the oracle's radiance for the same samples, row by row from the top.

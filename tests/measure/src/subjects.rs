@@ -2,7 +2,7 @@
 
 use crate::scenes::plain_scene;
 use anti_aliasing::{Sampler, jittered};
-use canvas::{Picture, Pixel, Rendering};
+use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec2, Vec3};
 use packets::{LANES, Lanes};
 use plane_hit::is_even;
@@ -76,10 +76,10 @@ impl Subject {
 
     /// Returns the picture by n × n samples per pixel.
     #[must_use]
-    pub fn render(&self, sampler: Sampler, n: u32) -> Rendering {
+    pub fn render(&self, sampler: Sampler, n: u32) -> Canvas {
         let radiance = self.radiance.clone();
         let picture = Picture::new(move |pixel| sampler(pixel, n, &*radiance));
-        Rendering::new(&picture, self.size)
+        Canvas::render(&picture, self.size)
     }
 }
 

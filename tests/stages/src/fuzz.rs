@@ -1,7 +1,7 @@
 //! One random scene, traced in every way there is.
 
 use crate::tracers::{BRANCHED, FIRST_HIT, OFFSET, PLANNED, Tracer, UNBRANCHED};
-use canvas::Rendering;
+use canvas::Canvas;
 use glam::UVec2;
 use measure::random_scenes::extreme;
 use reflection::{MAX_DEPTH, MIN_THROUGHPUT, PathBudget};
@@ -28,7 +28,7 @@ pub fn check(seed: u32) {
     let straight_on = 2 * scene.objects.len() as u64;
     let check = |(name, tracer): (&str, Tracer), most: u64| {
         let picture = tracer(&scene, camera, PathBudget::new(MAX_DEPTH));
-        let canvas = Rendering::new(&picture, SIZE);
+        let canvas = Canvas::render(&picture, SIZE);
         let is_finite = canvas.radiance.iter().all(|radiance| radiance.is_finite());
         assert!(is_finite, "{name}, scene {seed}: {:?}", canvas.radiance);
         let most = most * u64::from(SIZE.element_product());

@@ -5,7 +5,7 @@ use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
 use anti_aliasing::regular;
-use canvas::{Picture, Rendering};
+use canvas::{Canvas, Picture};
 use glam::UVec2;
 use measure::Random;
 use measure::bvh::{Bvh, anywhere, cloud, rays};
@@ -147,7 +147,7 @@ fn pictures(clock: &Clock) -> Vec<Measurement> {
         let times = clock.min_of_rounds(1, jobs);
         for ((method, size, picture), ns) in methods.iter().zip(times) {
             rows.push(Measurement {
-                work: Some(Rendering::new(picture, *size).rays as f64),
+                work: Some(Canvas::render(picture, *size).rays as f64),
                 ns,
                 ..Measurement::of("picture", *method, f64::from(n * n))
             });

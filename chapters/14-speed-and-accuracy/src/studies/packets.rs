@@ -3,7 +3,7 @@
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
-use canvas::{Picture, Rendering, rays_so_far};
+use canvas::{Canvas, Picture, rays_so_far};
 use glam::{UVec2, Vec3};
 use measure::pictures::{frame, packet_picture, pool, scalar_picture};
 use measure::scenes::plain_scene;
@@ -144,7 +144,7 @@ fn threads(clock: &Clock) -> Vec<Measurement> {
     let mut rows = Vec::new();
     for threads in [1, 2, 4, 8] {
         let pool = &pool(threads);
-        let render = |picture| pool.install(|| Rendering::new(picture, LARGE));
+        let render = |picture| pool.install(|| Canvas::render(picture, LARGE));
         let jobs = methods.map(|(_, picture)| each(&[()], move |()| render(picture)));
         let times = clock.min_of_rounds(right.len(), jobs);
         for ((method, picture), ns) in methods.into_iter().zip(times) {

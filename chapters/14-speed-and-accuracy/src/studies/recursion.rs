@@ -4,7 +4,7 @@ use crate::chart::{Axis, Chart, Quantity};
 use crate::error_map::level_error;
 use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
-use canvas::Rendering;
+use canvas::Canvas;
 use glam::UVec2;
 use measure::pictures::{camera_rays, exact_radiance, render};
 use measure::scenes::{Model, plain_scene, scene};
@@ -113,7 +113,7 @@ fn compare(
         min_throughput: TO_THE_END.min_throughput.into(),
     };
     let exact = exact_radiance(model, camera, SIZE, limit);
-    let errors = |canvas: &Rendering| -> Vec<f64> {
+    let errors = |canvas: &Canvas| -> Vec<f64> {
         let pairs = canvas.radiance.iter().zip(&exact);
         pairs
             .map(|(ours, exact)| {
