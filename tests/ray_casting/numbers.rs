@@ -4,6 +4,7 @@
 use ::canvas::Pixel;
 use ::ray_casting::scene::still_life_camera;
 use ::ray_casting::{SKY, STAGE};
+use glam::Vec3;
 use harness::{HERO, Numbers, render, table, three_digits, vector, with_separators};
 
 #[test]
@@ -19,6 +20,19 @@ fn the_numbers_are_those_in_the_book() {
                 [format!("({x}, {y})"), vector(&direction(x, y).to_array())]
             }),
         ),
+    );
+    let vectors = [
+        ("eye", camera.eye),
+        ("right", camera.right),
+        ("up", camera.up),
+        ("forward", camera.forward),
+    ];
+    numbers.note(
+        "camera",
+        table(vectors.map(|(name, Vec3 { x, y, z })| {
+            let [x, y, z] = [x, y, z].map(|part| three_digits(f64::from(part) + 0.0));
+            [name.to_string(), x, y, z]
+        })),
     );
     let canvas = render(&STAGE, "sky-and-ground", HERO);
     numbers.note("rays", with_separators(canvas.rays));

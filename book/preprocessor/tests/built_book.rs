@@ -4,42 +4,17 @@ use html5gum::{Token, Tokenizer};
 use speed_and_accuracy::STUDIES;
 use speed_and_accuracy::study::Study;
 use std::collections::BTreeMap;
-use std::io::{self, ErrorKind, Write};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{env, fs};
+
+mod build;
 
 #[test]
 fn the_built_book_needs_no_network_and_has_no_loose_ends() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let preprocessor = concat!("'", env!("CARGO_BIN_EXE_preprocessor"), "'");
-    let built = Command::new("mdbook")
-        .args(["build", "..", "--dest-dir"])
-        .arg(folder.path())
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        // The preprocessor is built already: no second cargo within this test.
-        .env("MDBOOK_PREPROCESSOR__PAGES__COMMAND", preprocessor)
-        .env_remove("RUST_LOG")
-        .output();
-    let built = match built {
-        Err(problem)
-            if problem.kind() == ErrorKind::NotFound && env::var_os("CI").is_none() =>
-        {
-            // Not `eprintln!`: the test harness would keep it to itself.
-            let _ = writeln!(
-                io::stderr(),
-                "skipped: there is no mdbook to build the book with (cargo install mdbook)"
-            );
-            return;
-        }
-        built => built.expect("mdbook runs"),
-    };
-    let said =
-        String::from_utf8_lossy(&[built.stdout, built.stderr].concat()).into_owned();
-    assert!(
-        built.status.success() && !said.contains("WARN") && !said.contains("ERROR"),
-        "`mdbook build book` is not content:\n{said}"
-    );
+    if !build::book(folder.path()) {
+        return;
+    }
 
     let mut problems = Vec::new();
     let files = files_in(folder.path());

@@ -105,18 +105,19 @@ impl Pixel {
 }
 // ANCHOR_END: samples
 
-// ANCHOR: ours
-// Inside the canvas: light kept beside the levels, rows, and an `encode` that is as exact and
-// faster.
-mod picture;
+// ANCHOR: count
 mod rays;
+pub use rays::{count_ray, count_rays, rays_so_far, rays_traced};
+// ANCHOR_END: count
+
+// ANCHOR: inside
+mod picture;
 mod rows;
 pub mod srgb;
 mod stage;
 pub mod views;
 pub use picture::{Canvas, Picture};
-pub use rays::{count_ray, count_rays, rays_so_far, rays_traced};
 pub use rows::{Row, spawn_render};
 pub use stage::{Knob, Scale, Stage, View, folder_name};
 pub use views::STAGE;
-// ANCHOR_END: ours
+// ANCHOR_END: inside

@@ -1,8 +1,8 @@
+// ANCHOR: rays
 //! Counts rays: the cost of a picture, the same on every machine and at any time of day.
 
 use std::cell::Cell;
 
-// ANCHOR: rays
 thread_local! {
     static RAYS: Cell<u64> = const { Cell::new(0) };
 }

@@ -1,6 +1,6 @@
 //! The chapter's pictures.
 
-use crate::{Picture, Stage, View, folder_name};
+use crate::{Picture, Pixel, Stage, View, decode, folder_name};
 use glam::Vec3;
 
 /// The chapter's description.
@@ -8,18 +8,22 @@ pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
     title: "A picture, and a window to see it in",
     hero: "gradient",
-    bugs: &[],
+    bugs: &["gloomy"],
     views: &[
         View {
             name: "gradient",
             caption: "The first picture: red grows to the right, green grows upwards, blue stays the same.",
             knob: None,
+            picture: |_| Picture::new(gradient),
+        },
+        View {
+            name: "gloomy",
+            caption: "The bug: the same numbers, written as levels without encoding. Too dark, but where they are 0 or 1.",
+            knob: None,
             picture: |_| {
                 Picture::new(|pixel| {
-                    let size = pixel.size.as_vec2();
-                    let right = (pixel.x as f32 + 0.5) / size.x;
-                    let up = 1.0 - (pixel.y as f32 + 0.5) / size.y;
-                    Vec3::new(right, up, 0.25)
+                    let levels = (255.0 * gradient(pixel)).round();
+                    Vec3::from_array(levels.to_array().map(|level| decode(level as u8)))
                 })
             },
         },
@@ -41,6 +45,12 @@ pub const STAGE: Stage = Stage {
         },
     ],
 };
+
+fn gradient(pixel: Pixel) -> Vec3 {
+    let [x, y] = [pixel.x, pixel.y].map(|i| i as f32 + 0.5);
+    let size = pixel.size.as_vec2();
+    Vec3::new(x / size.x, 1.0 - y / size.y, 0.25)
+}
 
 /// The light of a screen's level 128: ((128/255 + 0.055) / 1.055)^2.4.
 const LEVEL_128: f32 = 0.215_860_5;

@@ -1,9 +1,9 @@
+// ANCHOR: camera
 //! The still life's camera.
 
 use crate::Camera;
 use glam::Vec3;
 
-// ANCHOR: camera
 /// 1 / tan(45°/2) = 1 + √2: a vertical field of view of 45°.
 pub const STILL_LIFE_FOCAL_LENGTH: f32 = 1.0 + std::f32::consts::SQRT_2;
 

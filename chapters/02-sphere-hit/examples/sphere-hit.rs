@@ -10,7 +10,7 @@ fn picture() -> RgbImage {
     let sphere = Sphere::new(Vec3::new(-2.2, 0.8, 1.0), 0.8).expect("a sphere");
     canvas::render(UVec2::new(800, 600), |pixel| {
         let ray = camera.ray(pixel.centre());
-        match sphere.distance(&ray, T_MAX) {
+        match sphere.distance_quadratic(&ray, T_MAX) {
             Some(_) => Vec3::new(0.9, 0.15, 0.1),
             None => ray_casting::trace(&ray),
         }
@@ -20,12 +20,10 @@ fn picture() -> RgbImage {
 fn main() -> preview::ImageResult<()> {
     preview::save_and_show(&picture(), "sphere")
 }
-// ANCHOR_END: main
 
-// ANCHOR: test
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/02-sphere-hit--flat.snap.png";
     assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
 }
-// ANCHOR_END: test
+// ANCHOR_END: main

@@ -1,3 +1,4 @@
+// ANCHOR: scene
 //! A sphere seen from afar.
 
 use glam::Vec3;
@@ -14,3 +15,4 @@ pub fn camera_at(distance: f32) -> Camera {
     let eye = Vec3::new(0.0, 0.0, -to_centre);
     Camera::new(eye, Vec3::Z, Vec3::Y, focal_length).expect("a camera")
 }
+// ANCHOR_END: scene

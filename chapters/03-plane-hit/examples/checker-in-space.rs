@@ -23,12 +23,10 @@ fn picture() -> RgbImage {
 fn main() -> preview::ImageResult<()> {
     preview::save_and_show(&picture(), "checker-in-space")
 }
-// ANCHOR_END: main
 
-// ANCHOR: test
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/03-plane-hit--checker-in-space.snap.png";
     assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
 }
-// ANCHOR_END: test
+// ANCHOR_END: main

@@ -1,9 +1,9 @@
+// ANCHOR: still-life
 //! The still life: the scene that most chapters render.
 
 use crate::{Object, Shape, Texture};
 use glam::Vec3;
 
-// ANCHOR: still-life
 /// Returns five spheres on a floor, made of `materials`: floor, red, mirror, green, blue,
 /// glass.
 pub fn still_life<M>(materials: [M; 6]) -> Vec<Object<M>> {

@@ -1,3 +1,4 @@
+// ANCHOR: lit
 //! The still life in the light of its two lights, and a light between two balls.
 
 use crate::{PointLight, Scene};
@@ -6,7 +7,6 @@ use plane_hit::scene::still_life;
 use plane_hit::{Object, Shape, Texture};
 use ray_casting::{Camera, SKY};
 
-// ANCHOR: lit
 /// Returns the still life, made of `materials`, with its two lights.
 ///
 /// # Panics

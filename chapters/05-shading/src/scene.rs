@@ -1,9 +1,9 @@
+// ANCHOR: surfaces
 //! The surfaces of the still life.
 
 use crate::Phong;
 use plane_hit::scene::STILL_LIFE_COLOURS;
 
-// ANCHOR: surfaces
 /// Returns the still life's surfaces: floor, red, mirror, green, blue, glass. Until they have
 /// their own chapters, the mirror and the glass are of plastic.
 pub fn still_life_surfaces() -> [Phong; 6] {

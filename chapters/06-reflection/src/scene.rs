@@ -1,3 +1,4 @@
+// ANCHOR: mirrors
 //! The still life with its mirrors, two mirrors that face each other, and a mirror sphere from
 //! within.
 
@@ -10,7 +11,6 @@ use shading::scene::still_life_surfaces;
 use shadows::{PointLight, Scene};
 use sphere_hit::{Sphere, T_MAX};
 
-// ANCHOR: mirrors
 /// Returns the still life's surfaces with the mirror and a little reflectivity of the green
 /// ball. The glass is still of plastic.
 pub fn still_life_mirrors() -> [Mirror; 6] {

@@ -1,3 +1,4 @@
+// ANCHOR: glass
 //! The still life with its ball of glass.
 
 use crate::{Material, Optics};
@@ -10,7 +11,6 @@ use shading::Phong;
 use shadows::Scene;
 use shadows::scene::lit_still_life;
 
-// ANCHOR: glass
 /// The index of refraction of air, rounded to that of a vacuum.
 pub const AIR: f32 = 1.0;
 /// The index of refraction of common glass.

@@ -17,12 +17,10 @@ fn picture() -> RgbImage {
 fn main() -> preview::ImageResult<()> {
     preview::save_and_show(&picture(), "leaving-schlick")
 }
-// ANCHOR_END: main
 
-// ANCHOR: test
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/08-fresnel--leaving-schlick.snap.png";
     assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
 }
-// ANCHOR_END: test
+// ANCHOR_END: main

@@ -1,3 +1,4 @@
+// ANCHOR: scene
 //! The reflectance alone, as a shade of grey.
 
 use crate::Reflectance;
@@ -32,3 +33,4 @@ pub fn reflectance_along(
     let cos_theta_i = -at.normal.dot(at.incident);
     Vec3::splat(reflectance(cos_theta_i, eta_i, eta_t))
 }
+// ANCHOR_END: scene

@@ -20,12 +20,10 @@ fn picture() -> RgbImage {
 fn main() -> preview::ImageResult<()> {
     preview::save_and_show(&picture(), "levels")
 }
-// ANCHOR_END: main
 
-// ANCHOR: test
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/09-anti-aliasing--levels.snap.png";
     assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
 }
-// ANCHOR_END: test
+// ANCHOR_END: main

@@ -2,7 +2,6 @@
 //! Anti-aliasing: many rays per pixel, and the mean of their light.
 
 pub mod scene;
-pub mod sobol;
 
 use canvas::{Pixel, decode, encode};
 use glam::{UVec2, Vec2, Vec3};
@@ -141,6 +140,10 @@ pub fn mean_of_levels(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) -> 
     Vec3::from_array(mean.to_array().map(|level| decode(level.round() as u8)))
 }
 // ANCHOR_END: encoded
+
+// ANCHOR: sobol
+pub mod sobol;
+// ANCHOR_END: sobol
 
 // ANCHOR: ours
 // The pictures of this page, for the window, the command line and the tests of this project.

@@ -1,3 +1,4 @@
+// ANCHOR: scene
 //! The floor and its horizon, where a picture is hardest to sample.
 
 use glam::Vec3;
@@ -9,3 +10,4 @@ pub fn horizon_camera() -> Camera {
     let camera = Camera::new(eye, Vec3::new(0.0, -0.6, 7.0), Vec3::Y, 5.0);
     camera.expect("it looks ahead, not up")
 }
+// ANCHOR_END: scene

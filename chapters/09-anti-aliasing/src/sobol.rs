@@ -1,3 +1,4 @@
+// ANCHOR: sobol
 //! Sobol's sequence: samples of a pixel whose number need not be known beforehand, since more
 //! of them fill the gaps between the first.
 
@@ -5,7 +6,6 @@ use crate::hash;
 use canvas::Pixel;
 use glam::{Vec2, Vec3};
 
-// ANCHOR: sobol
 /// Returns the position in [0, 1)² of a pixel's i-th sample: Sobol's sequence, scrambled for
 /// each pixel by Owen's permutations.
 ///
@@ -43,7 +43,6 @@ fn scramble(x: u32, seed: u32) -> u32 {
     }
     x.reverse_bits()
 }
-// ANCHOR_END: sobol
 
 /// Returns the point of the image plane at a `position` in [0, 1]² within a pixel.
 pub fn image_point(pixel: Pixel, position: Vec2) -> Vec2 {
@@ -56,3 +55,4 @@ pub fn low_discrepancy(pixel: Pixel, n: u32, radiance: &dyn Fn(Vec2) -> Vec3) ->
         (0..n * n).map(|i| radiance(image_point(pixel, sample_position(pixel, i))));
     samples.sum::<Vec3>() / (n * n) as f32
 }
+// ANCHOR_END: sobol

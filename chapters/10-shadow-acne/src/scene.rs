@@ -1,3 +1,4 @@
+// ANCHOR: scene
 //! A scene that provokes shadow acne: balls of very different sizes on a planet.
 
 use glam::Vec3;
@@ -46,3 +47,4 @@ pub fn balls_on_a_planet(scale: f32) -> (Scene<Material>, Camera) {
     let camera = Camera::new(scale * eye, towards, Vec3::Y, 2.0).expect("a camera");
     (scene, camera)
 }
+// ANCHOR_END: scene

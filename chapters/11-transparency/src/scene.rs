@@ -1,3 +1,4 @@
+// ANCHOR: amber
 //! The still life with its ball of amber glass, and a pool of water with clear bodies in it.
 
 use crate::Absorbing;
@@ -9,7 +10,6 @@ use refraction::{Material, Optics};
 use shading::Phong;
 use shadows::{PointLight, Scene};
 
-// ANCHOR: amber
 /// The absorption of amber glass, per unit of length: red, green and blue.
 pub const AMBER: Vec3 = Vec3::new(0.1, 0.7, 2.5);
 
