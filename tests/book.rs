@@ -1,7 +1,7 @@
 //! The book's source: its listings are the chapters' code, and its pictures exist.
 
 use canvas::Stage;
-use preprocessor::{measured, studies};
+use preprocessor::{drawings, measured, studies};
 use pulldown_cmark::{Event, Parser, Tag};
 use serde_json::Value;
 use stages::STAGES;
@@ -103,7 +103,7 @@ mod the_source {
     fn shows_only_pictures_that_exist_and_every_view_of_every_chapter() {
         let mut problems = Vec::new();
         for page in pages() {
-            for command in commands(&read(&page), "figure") {
+            for command in figures(&read(&page)) {
                 for (stage, word) in figure(&command) {
                     let picture = picture(stage, word);
                     if !book().join(&picture).is_file() {
@@ -128,25 +128,38 @@ mod the_source {
     }
 
     #[test]
-    fn shows_every_studys_chart() {
-        let charts = pages()
-            .into_iter()
-            .flat_map(|page| commands(&read(&page), "chart"));
-        let shown: BTreeSet<String> = charts.collect();
-        let problems = studies()
-            .filter(|study| !shown.contains(study.name))
-            .map(|study| format!("no page shows the chart of {}", study.name));
-        none(&problems.collect::<Vec<_>>());
+    fn shows_every_studys_chart_and_every_drawing_once() {
+        let mut problems = Vec::new();
+        let charts: Vec<&str> = studies().map(|study| study.name).collect();
+        let drawings: Vec<&str> = drawings::names().collect();
+        for (kind, names) in [("chart", charts), ("drawing", drawings)] {
+            let shown = pages().into_iter();
+            let shown: Vec<String> = shown
+                .flat_map(|page| commands(&read(&page), kind))
+                .collect();
+            for name in names {
+                let times = shown.iter().filter(|shown| *shown == name).count();
+                if times != 1 {
+                    problems.push(format!("the {kind} of {name} is shown {times} times"));
+                }
+            }
+        }
+        none(&problems);
     }
 
     #[test]
-    fn asks_only_for_charts_and_numbers_that_there_are() {
+    fn asks_only_for_charts_drawings_and_numbers_that_there_are() {
         let mut problems = Vec::new();
         for page in pages() {
             let text = read(&page);
             for name in commands(&text, "chart") {
                 if studies().all(|study| study.name != name) {
                     problems.push(format!("{page}: there is no study {name}"));
+                }
+            }
+            for name in commands(&text, "drawing") {
+                if drawings::names().all(|known| known != name) {
+                    problems.push(format!("{page}: there is no drawing {name}"));
                 }
             }
             for reference in commands(&text, "measured") {
@@ -470,6 +483,17 @@ fn anchor_in<'a>(line: &'a str, keyword: &str) -> Option<&'a str> {
     line.split_once(keyword)?.1.split_whitespace().next()
 }
 
+/// What follows `figure` in a page's commands, and what follows `crop` but for its rectangle.
+fn figures(page: &str) -> Vec<String> {
+    let is_view = |word: &&str| word.parse::<u32>().is_err();
+    let crops = commands(page, "crop").into_iter();
+    let crops = crops.map(|crop| {
+        let words = crop.split_whitespace().filter(is_view);
+        words.collect::<Vec<_>>().join(" ")
+    });
+    commands(page, "figure").into_iter().chain(crops).collect()
+}
+
 /// The stage of a figure with each `VIEW` or `VIEW=KNOB` in it.
 fn figure(command: &str) -> impl Iterator<Item = (&str, &str)> {
     let mut words = command.split_whitespace();
@@ -479,7 +503,7 @@ fn figure(command: &str) -> impl Iterator<Item = (&str, &str)> {
 
 /// The views of a stage that a page, or a part of one, has figures of.
 fn views_of(stage: &Stage, page: &str) -> BTreeSet<String> {
-    let figures = commands(page, "figure");
+    let figures = figures(page);
     let views = figures.iter().flat_map(|command| figure(command));
     views
         .filter(|&(name, _)| name == stage.name)

@@ -1,7 +1,7 @@
 //! The dependency graph of the chapters, drawn from their manifests.
 
-use crate::figures::escape;
 use mdbook_preprocessor::errors::{Error, Result};
+use preprocessor::escape;
 use stages::STAGES;
 use std::collections::BTreeSet;
 use std::fs;

@@ -2,17 +2,14 @@
 
 use canvas::{Stage, View};
 use mdbook_preprocessor::errors::{Error, Result};
-use preprocessor::study;
+use preprocessor::{escape, study};
 use stages::STAGES;
 use std::fs;
 
 /// Returns the HTML of the pictures of a stage's `views`, each `VIEW` or `VIEW=KNOB`, side
 /// by side.
 pub fn figures(stage: &str, views: &[&str]) -> Result<String> {
-    let stage = STAGES
-        .into_iter()
-        .find(|known| known.name == stage)
-        .ok_or_else(|| Error::msg(format!("no stage is called “{stage}”")))?;
+    let stage = known(stage)?;
     if views.is_empty() {
         return Err(Error::msg(format!(
             "a figure of {} names no view",
@@ -26,52 +23,142 @@ pub fn figures(stage: &str, views: &[&str]) -> Result<String> {
     Ok(format!("<div class=\"figures\">\n{figures}</div>\n"))
 }
 
-fn figure(stage: &Stage, wanted: &str) -> Result<String> {
-    let (name, setting) = match wanted.split_once('=') {
-        Some((name, setting)) => (name, Some(setting)),
-        None => (wanted, None),
-    };
-    let view = stage.view(name).ok_or_else(|| {
-        let known: Vec<_> = stage.views.iter().map(|view| view.name).collect();
-        Error::msg(format!(
-            "{} has no view “{name}”, but {}",
-            stage.name,
-            known.join(", ")
-        ))
-    })?;
-    let setting = match setting {
-        Some(setting) => with_picture(view, setting)?,
-        None => view.default_setting(),
-    };
+/// Returns the stage called `name`.
+fn known(name: &str) -> Result<&'static Stage> {
+    let stage = STAGES.into_iter().find(|stage| stage.name == name);
+    stage.ok_or_else(|| Error::msg(format!("no stage is called “{name}”")))
+}
 
-    let is_hero = view.name == stage.hero;
-    let by_default = setting == view.default_setting();
-    let (width, height) = if is_hero && by_default {
-        (800, 600)
-    } else {
-        (320, 240)
-    };
-    let mut options = String::new();
-    if !is_hero {
-        options += &format!(" --view {name}");
+/// One picture in the book.
+struct Shown {
+    view: &'static View,
+    setting: f32,
+    is_default: bool,
+    size: [u32; 2],
+    file: String,
+}
+
+impl Shown {
+    /// Finds the picture of `VIEW` or `VIEW=KNOB`.
+    fn new(stage: &'static Stage, wanted: &str) -> Result<Self> {
+        let (name, setting) = match wanted.split_once('=') {
+            Some((name, setting)) => (name, Some(setting)),
+            None => (wanted, None),
+        };
+        let view = stage.view(name).ok_or_else(|| {
+            let known: Vec<_> = stage.views.iter().map(|view| view.name).collect();
+            Error::msg(format!(
+                "{} has no view “{name}”, but {}",
+                stage.name,
+                known.join(", ")
+            ))
+        })?;
+        let setting = match setting {
+            Some(setting) => with_picture(view, setting)?,
+            None => view.default_setting(),
+        };
+        let is_default = setting == view.default_setting();
+        let is_hero = is_default && view.name == stage.hero;
+        Ok(Self {
+            view,
+            setting,
+            is_default,
+            size: if is_hero { [800, 600] } else { [320, 240] },
+            file: format!("pictures/{}.snap.png", stage.picture_name(view, setting)),
+        })
     }
-    let mut caption = escape(view.caption);
-    if let (false, Some(knob)) = (by_default, &view.knob) {
+
+    /// Returns what to see in it, and at which setting of the knob if that is not the default.
+    fn caption(&self) -> String {
+        let caption = escape(self.view.caption);
+        match &self.view.knob {
+            Some(knob) if !self.is_default => {
+                let value = format!("{} {}", self.setting, knob.unit);
+                format!("{caption} Here: {} {}.", knob.name, value.trim_end())
+            }
+            _ => caption,
+        }
+    }
+}
+
+fn figure(stage: &'static Stage, wanted: &str) -> Result<String> {
+    let shown = Shown::new(stage, wanted)?;
+    let Shown { view, setting, .. } = shown;
+    let mut options = String::new();
+    if view.name != stage.hero {
+        options += &format!(" --view {}", view.name);
+    }
+    if !shown.is_default {
         options += &format!(" --knob {setting}");
-        let value = format!("{setting} {}", knob.unit);
-        caption += &format!(" Here: {} {}.", knob.name, value.trim_end());
     }
     if !options.is_empty() {
         options.insert_str(0, " --");
     }
     let command = command(&format!("cargo run --bin {}{options}", stage.name));
-    let picture = format!("pictures/{}.snap.png", stage.picture_name(view, setting));
+    let (caption, picture, [width, height]) = (shown.caption(), shown.file, shown.size);
     Ok(format!(
         "<figure style=\"width: {width}px\">\n\
          <a href=\"{picture}\"><img src=\"{picture}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\"></a>\n\
          <figcaption>{caption}<br>{command}</figcaption>\n\
          </figure>\n"
     ))
+}
+
+/// How many times larger a crop is than its picture.
+const MAGNIFICATION: u32 = 8;
+
+/// Returns the HTML of the same rectangle of several views' pictures, magnified, with the edges
+/// of their pixels. The rectangle is its left and top edge, its width and its height, in pixels.
+pub fn crops(stage: &str, rectangle: [&str; 4], views: &[&str]) -> Result<String> {
+    let stage = known(stage)?;
+    let numbers: Vec<u32> = rectangle.iter().filter_map(|it| it.parse().ok()).collect();
+    let [left, top, width, height] = numbers[..] else {
+        let rectangle = rectangle.join(" ");
+        return Err(Error::msg(format!(
+            "“{rectangle}” is not LEFT TOP WIDTH HEIGHT"
+        )));
+    };
+    let crop = |view: &&str| {
+        let shown = Shown::new(stage, view)?;
+        let (picture, [full_width, full_height]) = (&shown.file, shown.size);
+        if width == 0
+            || height == 0
+            || left.saturating_add(width) > full_width
+            || top.saturating_add(height) > full_height
+        {
+            let size = format!("{full_width} × {full_height}");
+            return Err(Error::msg(format!(
+                "the crop of “{view}” is not within its {size} pixels"
+            )));
+        }
+        let alt = format!(
+            "{} Magnified {MAGNIFICATION} times: {width} × {height} pixels, the first of them at ({left}, {top}).",
+            shown.caption()
+        );
+        let caption = match &shown.view.knob {
+            Some(knob) => format!("{} = {} {}", knob.name, shown.setting, knob.unit),
+            None => escape(shown.view.caption),
+        };
+        let side = [width, height].map(|pixels| MAGNIFICATION * pixels);
+        Ok(format!(
+            "<figure style=\"width: {}px\">\n\
+             <a href=\"{picture}\"><svg class=\"crop\" width=\"{}\" height=\"{}\" viewBox=\"{left} {top} {width} {height}\" role=\"img\" aria-label=\"{alt}\"><image href=\"{picture}\" width=\"{full_width}\" height=\"{full_height}\"/></svg></a>\n\
+             <figcaption>{}</figcaption>\n\
+             </figure>\n",
+            side[0],
+            side[0],
+            side[1],
+            caption.trim_end()
+        ))
+    };
+    if views.is_empty() {
+        return Err(Error::msg(format!(
+            "a crop of {} names no view",
+            stage.name
+        )));
+    }
+    let crops: String = views.iter().map(crop).collect::<Result<_>>()?;
+    Ok(format!("<div class=\"figures\">\n{crops}</div>\n"))
 }
 
 /// Returns the HTML of a study's charts, and of the source of their numbers.
@@ -128,13 +215,4 @@ pub fn chapters() -> String {
         )
     });
     format!("| | Chapter | Run it |\n|---|---|---|\n{}\n", rows.concat())
-}
-
-/// Returns plain text as HTML, with the apostrophes that mdBook gives to all other text.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
-        .replace('\'', "’")
 }

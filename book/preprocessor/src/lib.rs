@@ -1,4 +1,6 @@
-//! The studies of the book, and the numbers that its pages quote.
+//! The studies of the book, the numbers that its pages quote, and their drawings.
+
+pub mod drawings;
 
 use mdbook_preprocessor::errors::{Error, Result};
 use speed_and_accuracy::STUDIES;
@@ -63,6 +65,15 @@ pub fn measured(reference: &str) -> Result<String> {
     };
     let problem = |problem| Error::msg(format!("{{{{#measured {words}}}}}: {problem}"));
     number().map(for_readers).map_err(problem)
+}
+
+/// Returns plain text as HTML, with the apostrophes that mdBook gives to all other text.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+        .replace('\'', "’")
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ const OPTIONS: Options = Options::ENABLE_MATH
     .union(Options::ENABLE_TABLES)
     .union(Options::ENABLE_FOOTNOTES);
 
-/// Replaces a page's formulas, figures, charts, measured numbers, table of chapters and
+/// Replaces a page's formulas, figures, crops, drawings, charts, measured numbers, table of chapters and
 /// diagram of their dependencies.
 pub fn prepare(markdown: &str) -> Result<String> {
     let markdown = &with_numbers(markdown)?;
@@ -59,8 +59,8 @@ fn fill_in(text: &str) -> Result<String> {
     Ok(filled + rest)
 }
 
-/// Returns the replacement of a paragraph that is nothing but `{{#figure …}}`, `{{#chart
-/// …}}`, `{{#stages}}` or `{{#dependencies}}`.
+/// Returns the replacement of a paragraph that is nothing but `{{#figure …}}`, `{{#crop …}}`,
+/// `{{#drawing …}}`, `{{#chart …}}`, `{{#stages}}` or `{{#dependencies}}`.
 fn paragraph(text: &str) -> Result<Option<String>> {
     let Some(command) = text
         .strip_prefix("{{#")
@@ -70,6 +70,10 @@ fn paragraph(text: &str) -> Result<Option<String>> {
     };
     match command.split_whitespace().collect::<Vec<_>>()[..] {
         ["figure", stage, ref views @ ..] => figures::figures(stage, views).map(Some),
+        ["crop", stage, left, top, width, height, ref views @ ..] => {
+            figures::crops(stage, [left, top, width, height], views).map(Some)
+        }
+        ["drawing", name] => preprocessor::drawings::drawing(name).map(Some),
         ["chart", name] => figures::chart(name).map(Some),
         ["stages"] => Ok(Some(figures::chapters())),
         ["dependencies"] => dependencies::diagram().map(Some),
@@ -80,8 +84,7 @@ fn paragraph(text: &str) -> Result<Option<String>> {
 #[cfg(test)]
 mod a_page {
     use super::prepare;
-    use crate::figures::escape;
-    use preprocessor::{measured, studies};
+    use preprocessor::{escape, measured, studies};
 
     #[test]
     fn keeps_what_is_neither_maths_nor_figure() {
@@ -164,6 +167,62 @@ mod a_page {
             let problem = prepare(&command).unwrap_err().to_string();
             assert!(problem.contains(&named(complaint)), "{problem}");
         }
+    }
+
+    #[test]
+    fn gets_a_magnified_crop_of_each_view() {
+        let command = "{{#crop NN-sphere-hit 10 20 30 40 flat far-textbook=10000}}\n";
+        let page = prepare(&named(command)).unwrap();
+        for expected in [
+            r#"<svg class="crop" width="240" height="320" viewBox="10 20 30 40" role="img" aria-label=""#,
+            r#"<image href="pictures/NN-sphere-hit--flat.snap.png" width="800" height="600"/>"#,
+            r#"<image href="pictures/NN-sphere-hit--far-textbook--knob-10000.snap.png" width="320" height="240"/>"#,
+            "<figcaption>distance = 10000 radii</figcaption>",
+            "Magnified 8 times: 30 × 40 pixels, the first of them at (10, 20).",
+        ] {
+            assert!(page.contains(&named(expected)), "no {expected} in {page}");
+        }
+    }
+
+    #[test]
+    fn cannot_crop_what_is_not_there() {
+        for (command, complaint) in [
+            (
+                "NN-sphere-hit 0 0 8 8",
+                "a crop of NN-sphere-hit names no view",
+            ),
+            (
+                "NN-sphere-hit 0 0 8 flat flat",
+                "“0 0 8 flat” is not LEFT TOP WIDTH HEIGHT",
+            ),
+            (
+                "NN-sphere-hit 0 0 0 8 flat",
+                "the crop of “flat” is not within its 800 × 600",
+            ),
+            (
+                "NN-sphere-hit 793 0 8 8 flat",
+                "the crop of “flat” is not within its 800 × 600",
+            ),
+            (
+                "NN-sphere-hit 0 233 8 8 normals",
+                "“normals” is not within its 320 × 240",
+            ),
+        ] {
+            let command = named(&format!("{{{{#crop {command}}}}}\n"));
+            let problem = prepare(&command).unwrap_err().to_string();
+            assert!(problem.contains(&named(complaint)), "{problem}");
+        }
+    }
+
+    #[test]
+    fn gets_its_drawings_in_one_block_of_html() {
+        let page = prepare("Before.\n\n{{#drawing pixel-grid}}\n\nAfter.\n").unwrap();
+        assert!(
+            page.starts_with("Before.\n\n<div class=\"figures\">\n<figure"),
+            "{page}"
+        );
+        assert!(page.ends_with("</figure>\n</div>\n\nAfter.\n"), "{page}");
+        assert!(prepare("{{#drawing pixel-gird}}\n").is_err());
     }
 
     #[test]

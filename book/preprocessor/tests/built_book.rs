@@ -98,7 +98,9 @@ fn check_page(
             check_asset(file, url, problems);
         }
         match attributes.get("href") {
-            Some(url) if tag == "link" => check_asset(file, url, problems),
+            Some(url) if ["link", "image"].contains(&tag.as_str()) => {
+                check_asset(file, url, problems)
+            }
             Some(url) if tag == "a" => check_link(file, url, pages, problems),
             _ => (),
         }

@@ -39,7 +39,8 @@ const SAMPLES: Axis = (Quantity::Work, "samples per pixel (at the marks: n)");
 const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel (at the marks: n)");
 const ERROR: Axis = (Quantity::Rms, "RMS error, in levels");
 
-const SAMPLERS: [(&str, Sampler); 7] = [
+/// The samplers that the study compares, with their names.
+pub const SAMPLERS: [(&str, Sampler); 7] = [
     ("random", random),
     ("regular", regular),
     ("jittered", jittered),
