@@ -7,7 +7,7 @@ use ::shadow_acne::{
 };
 use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec3, dvec3};
-use harness::{Numbers, bits, percent, three_digits};
+use harness::{Numbers, bits, percent, table, three_digits};
 use plane_hit::{Object, Shape, Texture};
 use ray_casting::Camera;
 use reflection::{MAX_DEPTH, PathBudget};
@@ -103,41 +103,44 @@ impl Table {
         let intersector = if self.is_f64 { "-f64" } else { "" };
         format!("{ground}-{secondary}{intersector}")
     }
-
-    /// A row for each method: false hits in percent of the clear pixels / leaks in percent of the occluded.
-    fn markdown(&self) -> String {
-        let head = "| | s = 10⁻³ | s = 1 | s = 10³ | s = 10⁶ | T = 10² | T = 10³ | T = 10⁴ | T = 10⁵ |\n\
-                    |---|---|---|---|---|---|---|---|---|";
-        let rows = METHODS.iter().enumerate().map(|(method, (name, _))| {
-            let cells = self.tallies.map(|tallies| {
-                let tally = tallies[method];
-                format!("{:.2}<br>{:.2}", tally.false_hits(), tally.leaks())
-            });
-            format!("| {name} | {} |", cells.join(" | "))
-        });
-        let lines = std::iter::once(head.to_string()).chain(rows);
-        lines.collect::<Vec<_>>().join("\n")
-    }
 }
 
-/// False hits, leaks and self-hits as the book has them. A self-hit's fraction is that of all pixels that
-/// have a secondary ray.
-#[test]
-fn the_table_is_the_one_in_the_book() {
-    let mut numbers = Numbers::default();
-    for table in TABLES.iter() {
-        numbers.note(&table.anchor(), table.markdown());
-    }
-    let rows = METHODS.iter().enumerate().map(|(method, (name, _))| {
-        let tallies = || each(method).map(|(.., tally)| tally);
-        let with_any = tallies().filter(|tally| tally.self_hits > 0).count();
-        let fractions = tallies().map(|tally| {
-            100.0 * tally.self_hits as f64 / (tally.clear + tally.occluded) as f64
-        });
-        let most = fractions.fold(0.0, f64::max);
-        format!("| {name} | {with_any} of 64 | {most:.2} |")
+/// Returns the table of shadow rays or of reflected ones on the planet.
+fn on_a_planet(secondary: Secondary, is_f64: bool) -> &'static Table {
+    let mut tables = TABLES.iter();
+    let table = tables.find(|table| {
+        table.ground == Ground::Sphere
+            && table.secondary == secondary
+            && table.is_f64 == is_f64
     });
-    numbers.note("self-hits", rows.collect::<Vec<_>>().join("\n"));
+    table.expect("one of the eight")
+}
+
+/// How many reflected rays go wrong at three scales and far from the origin, and how many points
+/// of the scene at scale 1 shadow themselves without an offset, by hits in f32 and in f64.
+#[test]
+fn the_numbers_of_wrong_rays_are_those_in_the_book() {
+    const SHOWN: [(f64, f64); 4] = [(1e-3, 0.0), (1.0, 0.0), (1e3, 0.0), (1.0, 1e5)];
+    let variant = |shown| {
+        let place = VARIANTS.iter().position(|variant| *variant == shown);
+        place.expect("one of the variants")
+    };
+    let mut numbers = Numbers::default();
+    let reflected = on_a_planet(Secondary::Reflection, false);
+    let rows = METHODS.iter().enumerate().map(|(method, (name, _))| {
+        let [small, one, large, far] = SHOWN.map(|shown| {
+            let tally = reflected.tallies[variant(shown)][method];
+            percent(tally.false_hits + tally.leaks, tally.clear + tally.occluded)
+        });
+        [(*name).to_string(), small, one, large, far]
+    });
+    numbers.note("reflected", table(rows));
+    for (name, is_f64) in [("f32", false), ("f64", true)] {
+        let shadow = on_a_planet(Secondary::Shadow, is_f64);
+        let tally = shadow.tallies[variant((1.0, 0.0))][WITHOUT_OFFSET];
+        let acne = percent(tally.false_hits, tally.clear);
+        numbers.note(&format!("acne-in-{name}"), acne);
+    }
     numbers.check(&format!("{}-table", STAGE.name));
 }
 
