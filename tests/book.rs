@@ -99,6 +99,30 @@ mod the_source {
         );
     }
 
+    /// What the last page would change is what there is.
+    #[test]
+    fn names_what_there_is_where_it_says_what_comes_next() {
+        let page = read("where-next.md");
+        let sources = rust_files(&root().join("chapters")).concat();
+        let names = Parser::new(&page).filter_map(|event| match event {
+            Event::Code(name) => Some(name.into_string()),
+            _ => None,
+        });
+        let is_there = |name: &str| match name.contains('/') {
+            true => root().join(name).is_file(),
+            false => name.split("::").all(|part| {
+                let mut words = sources.split(|c: char| !c.is_alphanumeric() && c != '_');
+                words.any(|word| word == part)
+            }),
+        };
+        let missing = names.filter(|name| !is_there(name));
+        none(
+            &missing
+                .map(|name| format!("there is no {name}"))
+                .collect::<Vec<_>>(),
+        );
+    }
+
     #[test]
     fn shows_only_pictures_that_exist_and_every_view_of_every_chapter() {
         let mut problems = Vec::new();
