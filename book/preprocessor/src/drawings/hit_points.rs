@@ -11,10 +11,10 @@ use ray_casting::scene::still_life_camera;
 const NAME: &str = "mirror";
 const PICTURE: UVec2 = UVec2::new(320, 240);
 /// As many pixels of a row through the object's middle.
-const SHOWN: usize = 60;
-const SIZE: [f64; 2] = [640.0, 300.0];
+const SHOWN: usize = 48;
+const SIZE: [f64; 2] = [480.0, 300.0];
 /// The plot in the panel: from left to right and from bottom to top.
-const COLUMNS: [f64; 2] = [60.0, 630.0];
+const COLUMNS: [f64; 2] = [40.0, 474.0];
 const ROWS: [f64; 2] = [290.0, 10.0];
 /// The unit of the heights.
 const TEN_MILLIONTH: f64 = 1e-7;
@@ -78,8 +78,7 @@ pub fn panels() -> Vec<Panel> {
     ];
     panel.caption = format!(
         "The hits of {SHOWN} neighbouring pixels on the {NAME} ball, and their height above its surface in ten-millionths \
-         (10⁻⁷). Of all {} hits on the ball, {above} % are above the surface and {below} % below.",
-        heights.len(),
+         (10⁻⁷). Of all hits on the ball, {above} % are above the surface and {below} % below."
     );
     panel.description = format!(
         "A level line is the surface, greatly magnified. {SHOWN} points scatter about it, some above and some below, at \

@@ -6,8 +6,8 @@ use glam::{UVec2, Vec2};
 
 const SIZE: UVec2 = UVec2::new(6, 4);
 /// The image plane in the panel: from left to right and from bottom to top.
-const COLUMNS: [f64; 2] = [66.0, 474.0];
-const ROWS: [f64; 2] = [322.0, 50.0];
+const COLUMNS: [f64; 2] = [46.0, 382.0];
+const ROWS: [f64; 2] = [274.0, 50.0];
 
 pub fn panels() -> Vec<Panel> {
     let pixel = |x, y| Pixel { x, y, size: SIZE };
@@ -16,7 +16,7 @@ pub fn panels() -> Vec<Panel> {
     let x = scale([-half.x, half.x].map(f64::from), COLUMNS);
     let y = scale([-half.y, half.y].map(f64::from), ROWS);
     let at = |point: Vec2| [x(point.x.into()), y(point.y.into())];
-    let mut panel = Panel::new([540.0, 356.0]);
+    let mut panel = Panel::new([440.0, 308.0]);
 
     let name = |pixel: Pixel| format!("({}, {})", pixel.x, pixel.y);
     for shown in [first, other] {

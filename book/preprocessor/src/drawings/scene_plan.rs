@@ -7,7 +7,7 @@ use ray_casting::scene::still_life_camera;
 use shadows::scene::lit_still_life;
 
 /// Pixels per unit of length.
-const UNIT: f64 = 44.0;
+const UNIT: f64 = 34.0;
 /// The margin around the plotted area: left, right, top and bottom.
 const MARGIN: [f64; 4] = [34.0, 16.0, 26.0, 40.0];
 
@@ -168,13 +168,13 @@ impl Plan {
         let middle = balls.iter().map(|(_, [x, _])| x).sum::<f64>() / balls.len() as f64;
         for (i, (name, [x, y])) in balls.iter().enumerate() {
             if is_above {
-                panel.text("", "middle", [*x, y + 5.0], name);
+                panel.text("small", "middle", [*x, y + 4.0], name);
             } else {
-                let column = middle + 56.0 * (i as f64 - (balls.len() - 1) as f64 / 2.0);
-                let row = MARGIN[2] + UNIT * (self.ends[1][1] - 2.7);
+                let column = middle + 44.0 * (i as f64 - (balls.len() - 1) as f64 / 2.0);
+                let row = MARGIN[2] + UNIT * (self.ends[1][1] - 2.55);
                 panel.line("faint", [[column, row + 6.0], [*x, *y]]);
                 panel.circle("dot", [*x, *y], 2.0);
-                panel.text("", "middle", [column, row], name);
+                panel.text("small", "middle", [column, row], name);
             }
         }
     }
