@@ -109,6 +109,7 @@ const MAGNIFICATION: u32 = 8;
 
 /// Returns the HTML of the same rectangle of several views' pictures, magnified, with the edges
 /// of their pixels. The rectangle is its left and top edge, its width and its height, in pixels.
+/// A view with a setting has that as its caption, and another one its own.
 pub fn crops(stage: &str, rectangle: [&str; 4], views: &[&str]) -> Result<String> {
     let stage = known(stage)?;
     let numbers: Vec<u32> = rectangle.iter().filter_map(|it| it.parse().ok()).collect();
@@ -136,8 +137,10 @@ pub fn crops(stage: &str, rectangle: [&str; 4], views: &[&str]) -> Result<String
             shown.caption()
         );
         let caption = match &shown.view.knob {
-            Some(knob) => format!("{} = {} {}", knob.name, shown.setting, knob.unit),
-            None => escape(shown.view.caption),
+            Some(knob) if view.contains('=') => {
+                format!("{} = {} {}", knob.name, shown.setting, knob.unit)
+            }
+            _ => escape(shown.view.caption),
         };
         let side = [width, height].map(|pixels| MAGNIFICATION * pixels);
         Ok(format!(

@@ -171,7 +171,8 @@ mod a_page {
 
     #[test]
     fn gets_a_magnified_crop_of_each_view() {
-        let command = "{{#crop NN-sphere-hit 10 20 30 40 flat far-textbook=10000}}\n";
+        let command =
+            "{{#crop NN-sphere-hit 10 20 30 40 flat far-textbook far-textbook=10000}}\n";
         let page = prepare(&named(command)).unwrap();
         for expected in [
             r#"<svg class="crop" width="240" height="320" viewBox="10 20 30 40" role="img" aria-label=""#,
@@ -182,6 +183,8 @@ mod a_page {
         ] {
             assert!(page.contains(&named(expected)), "no {expected} in {page}");
         }
+        // The other one, of the default distance, is captioned as a figure is.
+        assert_eq!(page.matches("<figcaption>distance").count(), 1, "{page}");
     }
 
     #[test]
