@@ -2,7 +2,7 @@
 
 use canvas::Stage;
 use preprocessor::{drawings, measured, studies};
-use pulldown_cmark::{Event, Parser, Tag};
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 use serde_json::Value;
 use stages::STAGES;
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,6 +76,26 @@ mod the_source {
             }
         }
         none(&problems);
+    }
+
+    /// Nobody wants to wait for it longer, and the introduction before it is short, too.
+    #[test]
+    fn comes_to_the_first_ray_soon() {
+        let [canvas, rays] =
+            [page_of(STAGES[0]), page_of(STAGES[1])].map(|page| read(&page));
+        let (before, _) = rays
+            .split_once(
+                "```rust\n{{#include ../../chapters/01-ray-casting/src/lib.rs:ray}}",
+            )
+            .expect("a listing of the first ray");
+        let (words, _) =
+            prose_and_listings(&(read("introduction.md") + &read("follow-along.md")));
+        assert!(words <= 1800, "{words} words of introduction");
+        let (words, lines) = prose_and_listings(&(canvas + before));
+        assert!(
+            words <= 900 && lines <= 90,
+            "{words} words, {lines} lines of listings"
+        );
     }
 
     /// Those of twelve that a reader looked for in vain, and of others that name what a page is
@@ -452,6 +472,41 @@ fn pages() -> Vec<String> {
 
 fn page_of(stage: &Stage) -> String {
     format!("{}.md", stage.name)
+}
+
+/// The number of words of a page's prose and of lines of its Rust listings, without what is folded away.
+fn prose_and_listings(page: &str) -> (usize, usize) {
+    let (mut words, mut lines, mut language) = (0, 0, None);
+    let mut is_folded = false;
+    for event in Parser::new(page) {
+        match event {
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(it))) => {
+                language = Some(it)
+            }
+            Event::End(TagEnd::CodeBlock) => language = None,
+            Event::Html(html) | Event::InlineHtml(html) => {
+                is_folded = (is_folded || html.contains("<details"))
+                    && !html.contains("</details>");
+            }
+            _ if is_folded => (),
+            Event::Text(text) if language.as_deref() == Some("rust") => {
+                for command in commands(&text, "include") {
+                    let numbers = included(&command).expect("a listing");
+                    let [Some(first), Some(last)] = [numbers.first(), numbers.last()]
+                    else {
+                        continue;
+                    };
+                    lines += last - first + 1;
+                }
+            }
+            Event::Text(text) if language.is_none() && !text.starts_with("{{#") => {
+                words += text.split_whitespace().count();
+            }
+            Event::Code(_) => words += 1,
+            _ => (),
+        }
+    }
+    (words, lines)
 }
 
 /// What follows `name` in every `{{#name …}}` of a page.

@@ -91,11 +91,16 @@ fn figure(stage: &'static Stage, wanted: &str) -> Result<String> {
     if !shown.is_default {
         options += &format!(" --knob {setting}");
     }
+    let [width, height] = shown.size;
+    // Without a size, the command draws 800 x 600.
+    if width != 800 {
+        options += &format!(" --size {width}x{height}");
+    }
     if !options.is_empty() {
         options.insert_str(0, " --");
     }
     let command = command(&format!("cargo run --bin {}{options}", stage.name));
-    let (caption, picture, [width, height]) = (shown.caption(), shown.file, shown.size);
+    let (caption, picture) = (shown.caption(), shown.file);
     Ok(format!(
         "<figure style=\"width: {width}px\">\n\
          <a href=\"{picture}\"><img src=\"{picture}\" alt=\"{caption}\" width=\"{width}\" height=\"{height}\" loading=\"lazy\"></a>\n\

@@ -139,7 +139,7 @@ mod a_page {
             r#"<img src="pictures/NN-sphere-hit--far-textbook--knob-10000.snap.png""#,
             r#"width="320" height="240""#,
             "Here: distance 10000 radii.",
-            "<span>--view</span> <span>far-textbook</span> <span>--knob</span> <span>10000</span></code>",
+            "<span>--view</span> <span>far-textbook</span> <span>--knob</span> <span>10000</span> <span>--size</span> <span>320x240</span></code>",
         ] {
             assert!(page.contains(&named(expected)), "no {expected} in {page}");
         }

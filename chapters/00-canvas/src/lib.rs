@@ -3,8 +3,7 @@
 // ANCHOR_END: ours
 // ANCHOR: render
 use glam::{UVec2, Vec3};
-use image::ImageResult;
-pub use image::RgbImage;
+pub use image::{ImageResult, RgbImage};
 use rayon::prelude::*;
 
 /// One pixel of a picture.

@@ -1,4 +1,4 @@
-// ANCHOR: head
+// ANCHOR: ray
 //! A ray for every pixel: from the eye, through the pixel, into the world.
 //!
 //! Coordinates are left-handed: x to the right, y up, z away from the viewer.
@@ -6,9 +6,7 @@
 pub mod scene;
 
 use glam::{Vec2, Vec3};
-// ANCHOR_END: head
 
-// ANCHOR: ray
 /// A half-line: the points o + t d with t ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {

@@ -16,6 +16,6 @@ pub use error::{Error, exit_code};
 pub use file::{check_destination, save_png, write_file};
 pub use keyboard::{KeyEvent, Keyboard, digit};
 pub use run::{matches, run, show_or_save};
-pub use show::{ImageResult, save_and_show};
+pub use show::{ImageResult, RgbImage, save_and_show};
 pub use terminal::{print_error, print_line};
 pub use window::{check_memory, size_on_screen};

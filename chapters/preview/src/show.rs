@@ -2,12 +2,10 @@
 //! A window in a few lines of minifb, without a command line, for a reader to write.
 // ANCHOR_END: ours
 // ANCHOR: show
-pub use image::ImageResult;
-use image::RgbImage;
+pub use image::{ImageResult, RgbImage};
 use minifb::{Key, Window, WindowOptions};
 
-/// Saves a picture as `NAME.png`, and shows it in a window until Escape is pressed or the
-/// window is closed. Without a display it only says so.
+/// Saves a picture as `NAME.png`, and shows it until Escape. Without a display, says so.
 pub fn save_and_show(picture: &RgbImage, name: &str) -> ImageResult<()> {
     picture.save(format!("{name}.png"))?;
     let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
@@ -17,9 +15,9 @@ pub fn save_and_show(picture: &RgbImage, name: &str) -> ImageResult<()> {
         return Ok(());
     };
     window.set_target_fps(30);
-    let pixels = picture.pixels().map(|pixel| pixel.0);
-    let levels =
-        pixels.map(|[red, green, blue]| u32::from_be_bytes([0, red, green, blue]));
+    let levels = picture
+        .pixels()
+        .map(|p| u32::from_be_bytes([0, p[0], p[1], p[2]]));
     let screen: Vec<u32> = levels.collect();
     while window.is_open()
         && !window.is_key_down(Key::Escape)
