@@ -1,9 +1,11 @@
 //! The tests of the chapter `canvas`: its pictures, laws and numbers.
 
+mod exercises;
 mod laws;
 mod numbers;
 mod rays;
 mod rows;
+mod solutions;
 mod stage;
 
 use ::canvas::STAGE;

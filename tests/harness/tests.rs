@@ -2,7 +2,7 @@
 
 use canvas::{Knob, Picture, STAGE, Scale, Stage, View};
 use glam::Vec3;
-use harness::{Numbers, check_pictures, check_threads};
+use harness::{Numbers, check_pictures, check_solution, check_threads, judge};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::process::Command;
 use std::thread;
@@ -43,6 +43,54 @@ fn a_pixel_that_is_a_level_off_is_seen() {
         knob: None,
         picture: |_| one_pixel_off(),
     }]));
+}
+
+#[test]
+#[should_panic = "the book has no such picture yet"]
+fn a_solutions_picture_that_the_book_has_not_is_seen() {
+    check_solution(&STAGE, "exercise-0", &one_pixel_off());
+}
+
+/// What a reader starts with, and what one has written.
+const EXERCISES: &str = "
+pub fn unsolved() -> u32 {
+    // Yours to write.
+    0
+}
+
+pub fn solved() -> u32 {
+    1
+}";
+
+#[test]
+fn an_exercise_is_judged_that_is_red_unsolved_and_green_solved() {
+    judge(EXERCISES, "unsolved", || panic!("red"), || {});
+    // Nobody is told that a reader's own solution is right, or wrong.
+    judge(EXERCISES, "solved", || {}, || {});
+    judge(EXERCISES, "solved", || panic!("red"), || {});
+}
+
+#[test]
+#[should_panic = "the check of unsolved passes"]
+fn a_check_that_lets_the_unsolved_exercise_pass_is_seen() {
+    judge(EXERCISES, "unsolved", || {}, || {});
+}
+
+#[test]
+#[should_panic = "green is red"]
+fn a_check_that_rejects_the_solution_is_seen() {
+    judge(
+        EXERCISES,
+        "unsolved",
+        || panic!("red"),
+        || panic!("green is red"),
+    );
+}
+
+#[test]
+#[should_panic = "there is no exercise nonsense"]
+fn an_exercise_that_is_not_there_is_seen() {
+    judge(EXERCISES, "nonsense", || panic!("red"), || {});
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! The tests of the chapter `ray-casting`: its pictures, laws and numbers.
 
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
 mod ray;
+mod solutions;
 
 use ::ray_casting::STAGE;
 

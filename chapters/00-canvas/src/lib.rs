@@ -110,6 +110,7 @@ pub use rays::{count_ray, count_rays, rays_so_far, rays_traced};
 // ANCHOR_END: count
 
 // ANCHOR: inside
+pub mod exercises;
 mod picture;
 mod rows;
 pub mod srgb;

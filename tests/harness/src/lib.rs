@@ -2,6 +2,7 @@
 //! so that an error in a chapter stops no earlier one's tests.
 
 pub mod agreement;
+mod exercises;
 mod inputs;
 mod numbers;
 mod pictures;
@@ -9,6 +10,7 @@ pub mod povray;
 mod rounding;
 mod snapshots;
 
+pub use exercises::{assert_close, check_solution, judge};
 pub use inputs::{cases, evenly, magnitude, special, special_vector, unit_vector};
 pub use numbers::{
     Numbers, edge_of_shadow, percent, table, three_digits, vector, with_separators,

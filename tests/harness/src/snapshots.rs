@@ -29,7 +29,7 @@ pub fn check_pictures(stage: &Stage) {
             let size = if is_hero { HERO } else { SMALL };
             let canvas = Canvas::render(&(view.picture)(setting), size);
             let name = stage.picture_name(view, setting);
-            if let Err(complaint) = check_picture(&name, &canvas) {
+            if let Err(complaint) = check_picture_in("", &name, &canvas) {
                 writeln!(complaints, "\n{name}: {complaint}")
                     .expect("a String takes everything");
             }
@@ -55,14 +55,17 @@ and look at the changed files in {folder}.\n"
     )
 }
 
-/// Compares a picture with the one in the book; the error says how they differ.
-fn check_picture(name: &str, canvas: &Canvas) -> Result<(), String> {
+/// Compares a picture with the one in a folder of the book's pictures, or in "" for that
+/// folder itself; the error says how they differ.
+pub(crate) fn check_picture_in(
+    folder: &str,
+    name: &str,
+    canvas: &Canvas,
+) -> Result<(), String> {
     let comparator = ByPixels::default();
     let mut settings = insta::Settings::new();
-    settings.set_snapshot_path(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../book/src/pictures"
-    ));
+    let pictures = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/pictures");
+    settings.set_snapshot_path(Path::new(pictures).join(folder));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_comparator(comparator.dyn_clone());
