@@ -2,10 +2,12 @@
 
 mod agreement;
 mod elsewhere;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
 mod sides;
+mod solutions;
 
 use ::plane_hit::STAGE;
 

@@ -30,7 +30,11 @@ fn check_2(sky: fn(Vec3) -> Vec3) {
     let lights: Vec<Vec3> = lights.collect();
     for (i, two) in lights.windows(2).enumerate() {
         let deepens = two[0].cmpge(two[1]).all() && two[0] != two[1];
-        assert!(deepens, "from y = {i}/50 on: {} is followed by {}", two[0], two[1]);
+        assert!(
+            deepens,
+            "from y = {i}/50 on: {} is followed by {}",
+            two[0], two[1]
+        );
     }
     let (east, north) = (rising(0.5), Vec3::new(0.0, 0.5, 0.75_f32.sqrt()));
     assert_close("the same height, elsewhere", sky(north), sky(east));
@@ -109,7 +113,8 @@ fn the_exercises_are_judged_rightly() {
 fn the_solutions_are_those_in_the_book() {
     let behind = directions(solutions::camera_from_behind());
     check_solution(&STAGE, "exercise-1", &behind);
-    let camera = still_life_camera();
+    let up = Vec3::new(0.0, 1.0, 2.0);
+    let camera = Camera::new(Vec3::Y, up, Vec3::Y, 1.0).expect("a camera");
     let fading = Picture::new(move |pixel| {
         let direction = camera.ray(pixel.centre()).direction;
         if direction.y > 0.0 {

@@ -1,10 +1,12 @@
 //! The tests of the chapter `shadows`: its pictures, laws and numbers.
 
 mod agreement;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
 mod sides;
+mod solutions;
 
 use ::shadows::STAGE;
 

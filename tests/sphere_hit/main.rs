@@ -2,9 +2,11 @@
 
 mod aimed;
 mod elsewhere;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
+mod solutions;
 
 use ::sphere_hit::STAGE;
 

@@ -185,7 +185,9 @@ pub fn face_forward(normal: Vec3, incident: Vec3) -> Vec3 {
 // ANCHOR_END: face-forward
 
 // ANCHOR: ours
-// The pictures of this page, for the window, the command line and the tests of this project.
+// The exercises; and the pictures of this page, for the window, the command line and the tests
+// of this project.
+pub mod exercises;
 pub mod views;
 pub use views::STAGE;
 // ANCHOR_END: ours
