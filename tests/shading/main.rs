@@ -1,9 +1,11 @@
 //! The tests of the chapter `shading`: its pictures, laws and numbers.
 
 mod agreement;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
+mod solutions;
 
 use ::shading::STAGE;
 

@@ -8,9 +8,7 @@ use ::plane_hit::{Texture, nearest};
 use ::ray_casting::Ray;
 use ::ray_casting::scene::still_life_camera;
 use ::shadows::scene::lit_still_life;
-use ::shadows::{
-    Interaction, PointLight, STAGE, Scene, exercises, is_visible, trace,
-};
+use ::shadows::{Interaction, PointLight, STAGE, Scene, exercises, is_visible, trace};
 use glam::{UVec2, Vec3};
 use harness::{Numbers, SMALL, assert_close, check_solution, judge, with_separators};
 
@@ -129,9 +127,8 @@ fn the_solutions_are_those_in_the_book() {
     let mut numbers = Numbers::default();
     numbers.note("shadow-of-headlamp", in_shadow(&scene, &scene.lights[2]));
     numbers.note("shadow-of-first", in_shadow(&scene, &scene.lights[0]));
-    let with_headlamp = Picture::new(move |pixel| {
-        trace(&scene, &camera.ray(pixel.centre()), is_visible)
-    });
+    let with_headlamp =
+        Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre()), is_visible));
     check_solution(&STAGE, "exercise-1", &with_headlamp);
 
     let scene = lit_still_life(STILL_LIFE_COLOURS);

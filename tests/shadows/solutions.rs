@@ -8,7 +8,7 @@ use ::shadows::{Interaction, PointLight, Scene, is_visible};
 use glam::Vec3;
 
 // ANCHOR: exercise-1
-pub fn still_life_with_headlamp<M>(materials: [M; 6]) -> Scene<M> {
+pub fn still_life_with_headlamp(materials: [Texture; 6]) -> Scene<Texture> {
     let mut scene = lit_still_life(materials);
     let eye = still_life_camera().eye;
     scene.lights.push(PointLight {

@@ -9,7 +9,7 @@ use ray_casting::Ray;
 // ANCHOR: exercise-1
 /// Returns the still life, made of `materials`, with a third light where the camera's eye is,
 /// of intensity 0.3.
-pub fn still_life_with_headlamp<M>(materials: [M; 6]) -> Scene<M> {
+pub fn still_life_with_headlamp(materials: [Texture; 6]) -> Scene<Texture> {
     // Yours to write.
     lit_still_life(materials)
 }
