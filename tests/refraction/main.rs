@@ -2,8 +2,10 @@
 
 mod agreement;
 mod critical;
+mod exercises;
 mod laws;
 mod numbers;
+mod solutions;
 
 use ::refraction::STAGE;
 
