@@ -2,9 +2,11 @@
 
 mod agreement;
 mod edges;
+mod exercises;
 mod laws;
 mod numbers;
 mod povray;
+mod solutions;
 
 use ::fresnel::STAGE;
 
