@@ -1,10 +1,12 @@
 //! The tests of the chapter `anti-aliasing`: its pictures, laws and numbers.
 
 mod agreement;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
 mod sequence;
+mod solutions;
 
 use ::anti_aliasing::STAGE;
 
