@@ -1,10 +1,12 @@
 //! The tests of the chapter `transparency`: its pictures, laws and numbers.
 
 mod agreement;
+mod exercises;
 mod faults;
 mod laws;
 mod numbers;
 mod povray;
+mod solutions;
 
 use ::transparency::STAGE;
 

@@ -141,7 +141,9 @@ pub fn trace(
 // ANCHOR_END: trace
 
 // ANCHOR: ours
-// The pictures of this page, for the window, the command line and the tests of this project.
+// The exercises; and the pictures of this page, for the window, the command line and the tests
+// of this project.
+pub mod exercises;
 pub mod views;
 pub use views::STAGE;
 // ANCHOR_END: ours
