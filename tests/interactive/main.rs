@@ -1,9 +1,11 @@
 //! The tests of the chapter `interactive`, without its window: its pictures, the pose of its
 //! camera, its frames and their thread; what is explained of a ray, and where it is drawn.
 
+mod exercises;
 mod explain;
 mod overlay;
 mod render_thread;
+mod solutions;
 mod walk;
 
 use ::interactive::STAGE;

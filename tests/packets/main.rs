@@ -1,6 +1,8 @@
 //! The tests of the chapter `packets`: its pictures, laws and numbers.
 
+mod exercises;
 mod laws;
+mod solutions;
 
 use ::packets::STAGE;
 
