@@ -215,6 +215,74 @@ mod the_source {
         none(&problems);
     }
 
+    /// A mark of its difficulty, a hint, and an answer that is folded away; or a solution that is
+    /// compiled, and a test that the page names.
+    #[test]
+    fn has_a_hint_and_an_answer_to_every_exercise_and_a_check_of_every_solution() {
+        let mut problems = Vec::new();
+        for stage in STAGES {
+            let page = read(&page_of(stage));
+            let exercises = exercises(&page);
+            if !(3..=5).contains(&exercises.len()) {
+                problems.push(format!("{}: {} exercises", stage.name, exercises.len()));
+            }
+            let mut judged = BTreeSet::new();
+            for (number, exercise) in (1..).zip(exercises) {
+                match check_exercise(stage, number, exercise) {
+                    Ok(is_judged) => judged.extend(is_judged),
+                    Err(problem) => problems
+                        .push(format!("{}, exercise {number}: {problem}", stage.name)),
+                }
+            }
+            let tests = ignored_tests_of(&test_of(stage));
+            if judged != tests {
+                problems.push(format!(
+                    "{}: the page has {judged:?}, the tests are {tests:?}",
+                    stage.name
+                ));
+            }
+        }
+        let pages = STAGES.map(|stage| read(&page_of(stage))).concat();
+        let shown = pages.split("](pictures/solutions/").skip(1);
+        let shown = shown.filter_map(|rest| rest.split(')').next());
+        let shown: BTreeSet<String> = shown.map(str::to_string).collect();
+        let pictures = fs::read_dir(book().join("pictures/solutions"));
+        let pictures = pictures.expect("the solutions' pictures");
+        let pictures = pictures.map(|picture| picture.expect("a picture").file_name());
+        let pictures = pictures.map(|name| name.to_string_lossy().into_owned());
+        let pictures: BTreeSet<String> =
+            pictures.filter(|name| name.ends_with(".png")).collect();
+        if shown != pictures {
+            let differing = shown.symmetric_difference(&pictures);
+            problems.push(format!("shown or there, and not both: {differing:?}"));
+        }
+        none(&problems);
+    }
+
+    #[test]
+    fn would_notice_an_exercise_that_lacks_something() {
+        let stage = STAGES[0];
+        let page = read(&page_of(stage));
+        let exercises = exercises(&page);
+        let solved = exercises[0];
+        assert_eq!(
+            check_exercise(stage, 1, solved),
+            Ok(Some("exercise_1".to_string()))
+        );
+        for part in [
+            "(easy)",
+            "<summary>Hint</summary>",
+            "<summary>Solution</summary>",
+            "canvas exercise_1 -- --ignored",
+            "{{#include ../../tests/canvas/solutions.rs:exercise-1}}",
+        ] {
+            assert!(solved.contains(part), "{part}");
+            let lacking = solved.replace(part, "");
+            assert!(check_exercise(stage, 1, &lacking).is_err(), "{part}");
+        }
+        assert!(check_exercise(stage, 2, solved).is_err(), "another number");
+    }
+
     /// Each folder is a stage in the list, in its order, with a program and a test target of its own.
     #[test]
     fn knows_every_chapter() {
@@ -270,6 +338,9 @@ mod the_source {
             "test --test=sphere_hit",
             "test --test sphere_hit half_the_light",
             "test --test sphere_hit -- nonsense",
+            "test --test sphere_hit exercise_1",
+            "test --test sphere_hit exercise_9 -- --ignored",
+            "test --test sphere_hit every_picture -- --ignored",
             "test --doc",
             "-q test --test sphere_hit",
             "t --test sphere_hit",
@@ -282,7 +353,12 @@ mod the_source {
         ] {
             assert!(check_command(command, &targets).is_err(), "{command}");
         }
-        for command in ["test", "test --test sphere_hit every_picture", "run"] {
+        for command in [
+            "test",
+            "test --test sphere_hit every_picture",
+            "test --test sphere_hit exercise_1 -- --ignored",
+            "run",
+        ] {
             assert_eq!(check_command(command, &targets), Ok(()), "{command}");
         }
     }
@@ -354,7 +430,8 @@ fn targets() -> BTreeMap<&'static str, BTreeSet<String>> {
 }
 
 /// Checks a command: `test`, `bench` or `run`, perhaps a target that exists, perhaps a filter that a test of this
-/// target holds in its name, and what the program is given, as far as that is a view or a study.
+/// target holds in its name, or the name of an exercise, whose test is ignored, and what the program is given, as
+/// far as that is a view or a study.
 fn check_command(
     command: &str,
     targets: &BTreeMap<&str, BTreeSet<String>>,
@@ -374,8 +451,18 @@ fn check_command(
         ["test" | "run" | "bench"] if program.is_empty() => Ok(()),
         ["test", "--test", name] if program.is_empty() && exists("test", name) => Ok(()),
         ["test", "--test", name, filter] if program.is_empty() => {
-            let is_one = tests_of(name).iter().any(|test| test.contains(filter));
+            let ignored = ignored_tests_of(name);
+            let is_run = |test: &&str| test.contains(filter) && !ignored.contains(*test);
+            let tests = tests_of(name);
+            // What follows a name is its parentheses.
+            let names = tests.iter().filter_map(|test| test.split('(').next());
+            let is_one = names.filter(is_run).count() > 0;
             is_one.then_some(()).ok_or("no such test".to_string())
+        }
+        ["test", "--test", name, filter] if program == ["--ignored"] => {
+            let is_one =
+                filter == "exercise_N" || ignored_tests_of(name).contains(filter);
+            is_one.then_some(()).ok_or("no such exercise".to_string())
         }
         ["bench", "--bench", name] if exists("bench", name) => match program[..] {
             [study] if name == "studies" && studies().all(|it| it.name != study) => {
@@ -421,6 +508,96 @@ fn tests_of(target: &str) -> Vec<String> {
         }
     }
     names
+}
+
+/// The names of a target's tests that `cargo test` ignores: the exercises.
+fn ignored_tests_of(target: &str) -> BTreeSet<String> {
+    let folder = root().join("tests").join(target);
+    let texts = if folder.is_dir() {
+        rust_files(&folder)
+    } else {
+        Vec::new()
+    };
+    let mut names = BTreeSet::new();
+    for text in texts {
+        // The function comes on the next line.
+        for rest in text.split("#[ignore = \"an exercise for you\"]").skip(1) {
+            let name = rest.trim_start().strip_prefix("fn ");
+            let name = name.and_then(|rest| rest.split('(').next());
+            names.extend(name.map(str::to_string));
+        }
+    }
+    names
+}
+
+/// The name of a chapter's test target: `ray_casting` of `01-ray-casting`.
+fn test_of(stage: &Stage) -> String {
+    let (_, name) = stage.name.split_once('-').expect("a number and a name");
+    name.replace('-', "_")
+}
+
+/// The exercises of a page, each from its heading on.
+fn exercises(page: &str) -> Vec<&str> {
+    let section = page.split("\n## ").find(|it| it.starts_with("Exercises\n"));
+    let exercises = section.unwrap_or_default().split("\n### ");
+    exercises.skip(1).collect()
+}
+
+/// Checks an exercise of a chapter. Returns the name of its test, if it has one.
+fn check_exercise(
+    stage: &Stage,
+    number: usize,
+    text: &str,
+) -> Result<Option<String>, String> {
+    let heading = text.lines().next().unwrap_or_default();
+    let is_marked = ["easy", "medium", "hard"].iter().any(|mark| {
+        let start = format!("Exercise {number} ({mark}): ");
+        heading.len() > start.len() && heading.starts_with(&start)
+    });
+    if !is_marked {
+        return Err(format!("the heading is “{heading}”"));
+    }
+    let fold = |summary: &str| {
+        let (_, rest) = text.split_once(&format!("<summary>{summary}</summary>"))?;
+        let (fold, _) = rest.split_once("</details>")?;
+        (!fold.trim().is_empty()).then_some(fold)
+    };
+    fold("Hint").ok_or("no hint")?;
+    let test = test_of(stage);
+    let command = format!("`cargo test --test {test} exercise_{number} -- --ignored`");
+    match (fold("Solution"), fold("Answer")) {
+        (Some(solution), None) => {
+            let code = format!("../../tests/{test}/solutions.rs:exercise-{number}");
+            let start = format!(
+                "../../chapters/{}/src/exercises.rs:exercise-{number}",
+                stage.name
+            );
+            if !commands(solution, "include").contains(&code) {
+                return Err("the solution has no code".to_string());
+            }
+            if !commands(text, "include").contains(&start) {
+                return Err("what to begin with is not printed".to_string());
+            }
+            if !text.contains(&command) {
+                return Err(format!("no {command}"));
+            }
+            // What a reader compares in a project of one's own.
+            if !solution.contains("pictures/solutions/")
+                && !solution.contains("{{#include numbers/")
+            {
+                return Err("the solution has neither picture nor number".to_string());
+            }
+            Ok(Some(format!("exercise_{number}")))
+        }
+        (None, Some(answer))
+            if commands(answer, "include")
+                .iter()
+                .all(|it| !it.contains("solutions.rs")) =>
+        {
+            Ok(None)
+        }
+        _ => Err("neither a solution nor an answer, or both".to_string()),
+    }
 }
 
 /// The texts of all Rust files in a folder.

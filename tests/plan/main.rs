@@ -2,10 +2,12 @@
 
 #[path = "../speed_and_accuracy/check.rs"]
 mod check;
+mod exercises;
 mod laws;
 mod numbers;
 #[path = "../benches/studies/plot.rs"]
 mod plot;
+mod solutions;
 mod study;
 
 use ::plan::study::plan;

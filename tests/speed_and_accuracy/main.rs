@@ -2,6 +2,7 @@
 
 mod charts;
 mod check;
+mod exercises;
 #[path = "../benches/peers/found.rs"]
 mod found;
 mod lanes;
@@ -9,6 +10,7 @@ mod maps;
 mod peers;
 #[path = "../benches/studies/plot.rs"]
 mod plot;
+mod solutions;
 mod studies;
 mod tables;
 #[path = "../benches/peers/tinyraytracer.rs"]

@@ -11,7 +11,9 @@ pub use trace::Sample;
 // ANCHOR_END: head
 
 // ANCHOR: ours
-// The pictures of this page, for the window, the command line and the tests of this project.
+// The exercises; and the pictures of this page, for the window, the command line and the tests
+// of this project.
+pub mod exercises;
 pub mod views;
 pub use views::STAGE;
 // ANCHOR_END: ours
