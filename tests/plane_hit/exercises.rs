@@ -119,7 +119,7 @@ fn picture_of_last(objects: Vec<Object<Texture>>) -> Picture {
     let camera = still_life_camera();
     Picture::new(move |pixel| {
         let ray = camera.ray(pixel.centre());
-        let hits = objects.iter().filter_map(
+        let mut hits = objects.iter().filter_map(
             |Object {
                  shape, material, ..
              }| {
@@ -127,7 +127,7 @@ fn picture_of_last(objects: Vec<Object<Texture>>) -> Picture {
                 Some(material.value(shape.uv(ray.at(t))))
             },
         );
-        hits.last().unwrap_or(SKY)
+        hits.next_back().unwrap_or(SKY)
     })
 }
 

@@ -68,7 +68,7 @@ fn check_2(trace_tinted: TraceTinted) {
     assert_close(what, yours, without + tints[0] * scene.background);
 }
 
-fn check_3(differing: fn(&[[u8; 3]], &[[u8; 3]]) -> Vec<usize>) {
+fn check_3(differing: impl Fn(&[[u8; 3]], &[[u8; 3]]) -> Vec<usize>) {
     let first = [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0; 3]];
     assert_eq!(
         differing(&first, &first),
