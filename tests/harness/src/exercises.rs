@@ -1,6 +1,6 @@
 //! Exercises: their checks, and what the checks say.
 
-use canvas::{Picture, Rendering, Stage};
+use canvas::{Canvas, Picture, Stage};
 use glam::Vec3;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -49,7 +49,7 @@ pub fn assert_close(what: &str, yours: Vec3, right: Vec3) {
 /// If they differ.
 pub fn check_solution(stage: &Stage, exercise: &str, picture: &Picture) {
     let name = format!("{}--{exercise}", stage.name);
-    let rendering = Rendering::new(picture, SMALL);
+    let rendering = Canvas::render(picture, SMALL);
     if let Err(complaint) = check_picture_in("solutions", &name, &rendering) {
         panic!(
             "\n{name}: {complaint}{}",
