@@ -6,7 +6,7 @@ use glam::Vec3;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "A picture, and a window to see it in",
+    title: "A canvas: a picture, and a window to see it in",
     hero: "gradient",
     bugs: &["gloomy"],
     views: &[

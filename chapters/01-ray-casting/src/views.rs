@@ -8,7 +8,7 @@ use glam::{Vec2, Vec3};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "A ray for every pixel",
+    title: "Ray casting: a ray for every pixel",
     hero: "directions",
     bugs: &["upside-down"],
     views: &[

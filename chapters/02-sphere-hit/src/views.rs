@@ -10,7 +10,7 @@ use ray_casting::{Camera, Ray, SKY};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Where a ray hits a sphere",
+    title: "Spheres: where a ray hits one",
     hero: "flat",
     bugs: &["far-textbook"],
     views: &[

@@ -12,7 +12,7 @@ use sphere_hit::views::{drawing, ray_on_paper};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "A floor, and the nearest of many",
+    title: "Planes: a floor, and the nearest of many",
     hero: "flat",
     bugs: &["checker-in-space"],
     views: &[

@@ -11,7 +11,7 @@ use ray_casting::scene::still_life_camera;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "What the light does not reach",
+    title: "Shadows: what the light does not reach",
     hero: "hard",
     bugs: &["beyond-buggy"],
     views: &[

@@ -10,7 +10,7 @@ use shadows::scene::lit_still_life;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Ambient, diffuse, specular",
+    title: "Shading: ambient, diffuse, specular",
     hero: "combined",
     bugs: &["too-much-light"],
     views: &[

@@ -12,7 +12,7 @@ use shadows::scene::lit_still_life;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Mirrors, and what is seen in them",
+    title: "Reflection: mirrors, and what is seen in them",
     hero: "bouncing",
     bugs: &["inside-textbook"],
     views: &[

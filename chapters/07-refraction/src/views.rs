@@ -13,7 +13,7 @@ use reflection::{MAX_DEPTH, PathBudget};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Glass, and how it bends light",
+    title: "Refraction: glass, and how it bends light",
     hero: "glass",
     bugs: &["failed-ratio", "failed-total"],
     views: &[

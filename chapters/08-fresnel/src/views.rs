@@ -12,7 +12,7 @@ use refraction::views::eta_knob;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "How much is reflected, and how much is transmitted",
+    title: "Fresnel: how much is reflected, and how much is transmitted",
     hero: "still-life",
     bugs: &["leaving-schlick"],
     views: &[

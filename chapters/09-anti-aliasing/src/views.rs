@@ -14,7 +14,7 @@ use refraction::scene::{AIR, GLASS, still_life_with_glass};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Many rays for one pixel",
+    title: "Anti-aliasing: many rays per pixel",
     hero: "grid",
     bugs: &["dots-adaptive", "levels"],
     views: &[

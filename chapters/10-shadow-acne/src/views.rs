@@ -16,7 +16,7 @@ use shadows::Scene;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "How a ray leaves a surface",
+    title: "Shadow acne: how a ray leaves a surface",
     hero: "still-life",
     bugs: &["acne", "fixed"],
     views: &[

@@ -13,7 +13,7 @@ use shadows::Scene;
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Coloured glass, and light that gets through",
+    title: "Transparency: coloured glass, and light that gets through",
     hero: "still-life",
     bugs: &["alone"],
     views: &[

@@ -10,7 +10,7 @@ use refraction::scene::{AIR, GLASS, still_life_with_glass};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "Sixteen rays at once",
+    title: "SIMD packets: sixteen rays at once",
     hero: "still-life",
     bugs: &[],
     views: &[

@@ -25,7 +25,7 @@ use sphere_hit::views::{first_sphere, red};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "A walk through the picture",
+    title: "Interaction: a walk through the picture",
     hero: "still-life",
     bugs: &[],
     views: &{

@@ -9,7 +9,7 @@ use refraction::scene::{AIR, GLASS, still_life_with_glass};
 /// The chapter's description.
 pub const STAGE: Stage = Stage {
     name: folder_name(env!("CARGO_MANIFEST_DIR")),
-    title: "No more than a picture needs",
+    title: "Adaptive rendering: no more than a picture needs",
     hero: "planned",
     bugs: &[],
     views: &[
