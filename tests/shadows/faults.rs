@@ -65,6 +65,70 @@ fn two_objects_with_one_surface_are_refused_by_their_names() {
     }
 }
 
+/// Two spheres are one if neither centre nor radius differs by more than 16 ε of the sum of the
+/// centre's coordinates and the radius: that is the limit, whichever of the two is larger.
+#[test]
+fn how_near_two_surfaces_must_be_to_be_one() {
+    let are_one = |first, second| {
+        let objects = vec![object("first", first), object("second", second)];
+        Scene::new(objects, vec![], Vec3::ZERO).is_err()
+    };
+    let sphere = |x, radius| Shape::sphere(Vec3::new(x, 0.0, 0.0), radius);
+    let eps = f32::EPSILON;
+    for [x, radius] in [[1.0, 1.0], [1.0, 99.0], [64.0, 0.5], [1e-4, 1e-4]] {
+        let limit = 16.0 * eps * (x + radius);
+        for (off, is_one) in [(0.8, true), (1.3, false)] {
+            let moved = sphere(x + off * limit, radius);
+            assert_eq!(are_one(sphere(x, radius), moved), is_one, "{x} {radius}");
+            let grown = sphere(x, radius + off * limit);
+            assert_eq!(are_one(sphere(x, radius), grown), is_one, "{x} {radius}");
+        }
+    }
+    // Turned by a few ε about a point of the first plane: it is on the first one, while the
+    // first one's own point, far away, is no longer on the second.
+    let floor = Shape::plane(Vec3::ZERO, Vec3::Y);
+    let turned = Shape::plane(1000.0 * Vec3::X, vec3(8.0 * eps, 1.0, 0.0));
+    assert!(
+        is_on_surface(&floor, 1000.0 * Vec3::X) && !is_on_surface(&turned, Vec3::ZERO)
+    );
+    assert!(are_one(floor, turned) && are_one(turned, floor));
+}
+
+/// How near is near enough depends on the size of the numbers: at a height of a thousandth, a
+/// plane and a point 10⁻⁸ above it are far apart.
+#[test]
+fn a_point_just_above_a_small_plane_is_not_on_it() {
+    for height in [1e-3, 1.0, 1e3] {
+        let plane = Shape::plane(height * Vec3::Y, Vec3::Y);
+        assert!(is_on_surface(
+            &plane,
+            height * (1.0 + 2.0 * f32::EPSILON) * Vec3::Y
+        ));
+        assert!(!is_on_surface(&plane, height * (1.0 + 1e-5) * Vec3::Y));
+    }
+}
+
+/// Of the sphere's tangent planes a light on the sphere is above none, also where rounding has
+/// put it a little outside.
+#[test]
+fn a_light_on_a_sphere_is_in_front_of_no_point_of_it() {
+    for i in 1..10_000 {
+        let [x, y, z] = harness::evenly(i);
+        let direction = (DVec3::new(x, y, z) - 0.5).normalize().as_vec3();
+        for radius in [0.25, 1.0, 1024.0] {
+            let objects = [object("", Shape::sphere(Vec3::ZERO, radius))];
+            let lamp = radius * direction;
+            let ray = Ray {
+                origin: 2.0 * lamp,
+                direction: -direction,
+            };
+            let hit = ::plane_hit::nearest(&objects, &ray).expect("a hit");
+            let at = Interaction::new(&objects, &ray, hit);
+            assert!(!at.is_in_front(lamp), "{direction}, {radius}");
+        }
+    }
+}
+
 /// A lamp at y = 2e19 lit the shadow of a ball: its distance's square is infinite.
 #[test]
 fn a_light_out_of_range_is_refused() {

@@ -58,7 +58,7 @@ impl Canvas {
 // ANCHOR: background
 /// Renders `picture` in the background; rows arrive in the order in which they are done.
 ///
-/// Canvas stops when the receiver is dropped, or when every row has been sent.
+/// Rendering stops when the receiver is dropped, or when every row has been sent.
 pub fn spawn_render(picture: Picture, size: UVec2) -> Receiver<Row> {
     let (sender, rows) = channel();
     rayon::spawn(move || {

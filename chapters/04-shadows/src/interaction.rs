@@ -56,7 +56,7 @@ pub(crate) fn is_same(first: &Shape, second: &Shape) -> bool {
 // ANCHOR: interaction
 /// A ray's hit on an object, with all that shading needs.
 ///
-/// Source: `SurfaceInteraction` in Pharr, Jakob and Humphreys, Physically Based Canvas.
+/// Source: `SurfaceInteraction` in Pharr, Jakob and Humphreys, Physically Based Rendering.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interaction {
     /// The object's index in the scene.

@@ -52,7 +52,7 @@ pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 /// On entering a denser medium the two are the same, and for glass the error is a few
 /// hundredths at most. On leaving the medium, total reflection is missed.
 ///
-/// Source: Schlick, "An Inexpensive BRDF Model for Physically-based Canvas" (1994).
+/// Source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering" (1994).
 pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
     let r = (eta_i - eta_t) / (eta_i + eta_t);
     let r0 = r * r;
