@@ -8,14 +8,14 @@
 mod interactive;
 mod programs;
 
-use canvas::{Canvas, Stage};
+use canvas::{Canvas, RgbImage, Stage};
 use glam::UVec2;
 use std::fmt::Debug;
-use std::fs;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+use std::{env, fs};
 use tempfile::TempDir;
 use x11rb::connection::Connection;
 use x11rb::protocol::xproto::{
@@ -203,9 +203,16 @@ struct Shown<'a> {
 impl<'a> Shown<'a> {
     #[track_caller]
     fn new(screen: &'a Screen, stage: &'static Stage, arguments: &[&str]) -> Self {
+        let mut program = Command::new(programs::path(stage.name));
+        program.args(arguments);
+        Self::of(screen, stage, program)
+    }
+
+    /// A program whose window's title begins with the name of the stage.
+    #[track_caller]
+    fn of(screen: &'a Screen, stage: &'static Stage, mut program: Command) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
-        let process = Command::new(programs::path(stage.name))
-            .args(arguments)
+        let process = program
             .current_dir(folder.path())
             .env("DISPLAY", &screen.name)
             .env_remove("WAYLAND_DISPLAY")
@@ -363,6 +370,54 @@ const SMALL_ARGUMENTS: [&str; 2] = ["--size", "400x300"];
 
 /// The title when a picture is done: its last two parts are its cost.
 const DONE: [&str; 2] = [" ms | ", " rays"];
+
+/// Returns the picture that chapter 0 has a reader draw, small.
+fn readers_picture() -> RgbImage {
+    let picture = (canvas::STAGE.hero().picture)(0.0);
+    canvas::render(SMALL, |pixel| picture.radiance(pixel))
+}
+
+/// Returns this test's program, which runs nothing but [`a_readers_program`].
+fn readers_program() -> Command {
+    let mut program = Command::new(env::current_exe().expect("a program"));
+    program.args(["--ignored", "--exact", "a_readers_program"]);
+    program
+}
+
+#[test]
+#[ignore = "it shows a window until Escape: the two tests below run it"]
+fn a_readers_program() {
+    preview::save_and_show(&readers_picture(), canvas::STAGE.name).expect("a PNG");
+}
+
+#[test]
+fn a_readers_window_shows_the_picture_until_escape_and_saves_it() {
+    let Some(screen) = Screen::new() else { return };
+    let shown = Shown::of(&screen, &canvas::STAGE, readers_program());
+    let picture = readers_picture();
+    let pixels: Vec<[u8; 3]> = picture.pixels().map(|pixel| pixel.0).collect();
+    shown.assert_shows("the picture", &pixels);
+    let saved = shown.folder.path().join("00-canvas.png");
+    assert_eq!(image::open(saved).expect("a PNG").into_rgb8(), picture);
+    shown.close_with_escape();
+}
+
+#[test]
+fn without_a_display_a_readers_program_says_so_and_saves_the_picture() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let output = readers_program()
+        .arg("--nocapture")
+        .current_dir(folder.path())
+        .env_remove("DISPLAY")
+        .output();
+    let output = output.expect("the program runs");
+    assert_eq!(output.status.code(), Some(0));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let line = "no window: there is no display; the picture is in 00-canvas.png\n";
+    assert!(said.contains(line), "{said}");
+    let saved = image::open(folder.path().join("00-canvas.png"));
+    assert_eq!(saved.expect("a PNG").into_rgb8(), readers_picture());
+}
 
 #[test]
 fn it_shows_the_picture_and_its_title_says_what_it_cost() {
