@@ -78,6 +78,59 @@ mod the_source {
         none(&problems);
     }
 
+    /// A file, and a place in it: of every listing that a reader copies, up to chapter 11.
+    #[test]
+    fn says_of_every_listing_where_it_goes() {
+        let mut problems = Vec::new();
+        for stage in &STAGES[..12] {
+            let page = read(&page_of(stage));
+            let mut before = "";
+            for line in page.lines().filter(|line| !line.is_empty()) {
+                if line.starts_with("{{#include ../../chapters/")
+                    && !line.contains("/exercises.rs:")
+                    && !(before.starts_with("**`")
+                        && (before.ends_with("`**, new:")
+                            || before.ends_with("`**, at the end:")))
+                {
+                    problems
+                        .push(format!("{}: where does it go? {line}", page_of(stage)));
+                }
+                if line != "```rust" {
+                    before = line;
+                }
+            }
+        }
+        none(&problems);
+    }
+
+    /// A reader's project imports what ours does.
+    #[test]
+    fn names_the_versions_that_the_manifest_names() {
+        let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("a manifest");
+        let manifest: toml::Table = manifest.parse().expect("a manifest");
+        let ours = &manifest["workspace"]["dependencies"];
+        let (mut count, mut problems) = (0, Vec::new());
+        for page in pages() {
+            let text = read(&page);
+            let commands = text
+                .lines()
+                .filter(|line| line.starts_with("tracer$ cargo add"));
+            let words = commands.flat_map(str::split_whitespace);
+            for (name, version) in words.filter_map(|word| word.split_once('@')) {
+                count += 1;
+                let known = &ours[name];
+                let known = known.get("version").unwrap_or(known).as_str();
+                if known != Some(version) {
+                    problems.push(format!(
+                        "{page}: {name}@{version}, but we import {known:?}"
+                    ));
+                }
+            }
+        }
+        none(&problems);
+        assert!(count > 12, "only {count} versions were found");
+    }
+
     /// Nobody wants to wait for it longer, and the introduction before it is short, too.
     #[test]
     fn comes_to_the_first_ray_soon() {
