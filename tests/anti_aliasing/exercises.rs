@@ -70,21 +70,21 @@ type InMotion = fn(Pixel, u32, &dyn Fn(Vec2, f32) -> Vec3) -> Vec3;
 
 fn check_4(in_motion: InMotion) {
     // The mean over many pixels.
-    let size = UVec2::new(40, 30);
+    let size = UVec2::new(20, 15);
     let mean = |radiance: &dyn Fn(Pixel, Vec2, f32) -> Vec3| {
         let pixels = Pixel::all(size);
         let sum: Vec3 = pixels
-            .map(|pixel| in_motion(pixel, 4, &|point, time| radiance(pixel, point, time)))
+            .map(|pixel| in_motion(pixel, 8, &|point, time| radiance(pixel, point, time)))
             .sum();
         sum.x / (size.x * size.y) as f32
     };
     let near = |what: &str, yours: f32, right: f32| {
         assert!(
-            (yours - right).abs() < 0.02,
+            (yours - right).abs() < 0.07,
             "{what}: yours is {yours}, right is {right}"
         );
     };
-    for hour in [0.25, 0.5, 0.9] {
+    for hour in [0.25, 0.5, 0.75] {
         let lit = mean(&|_, _, time| white_if(time < hour));
         near(&format!("a lamp that goes out at {hour}"), lit, hour);
     }
@@ -100,6 +100,14 @@ fn check_4(in_motion: InMotion) {
             &format!("half of the pixel ({direction}), half of the time"),
             both,
             0.25,
+        );
+    }
+    for pixel in Pixel::all(size) {
+        let early = in_motion(pixel, 8, &|_, time| white_if(time < 0.5)).x;
+        let fills = (0.2..=0.8).contains(&early);
+        assert!(
+            fills,
+            "{early} of the times of {pixel:?} are in the first half"
         );
     }
     let still = |point: Vec2, _: f32| Vec3::new(point.x, point.y, 0.0);

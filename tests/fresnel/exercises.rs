@@ -94,33 +94,38 @@ type TraceSplit = fn(&Scene<Material>, &Ray, PathBudget, [Vec3; 2]) -> Vec3;
 fn check_4(trace_split: TraceSplit) {
     let scene = still_life_with_glass(GLASS, AIR);
     let tints = [Vec3::new(1.0, 0.5, 0.0), Vec3::new(0.0, 0.2, 1.0)];
-    let [none, one] = [0, 1].map(PathBudget::new);
+    let none = PathBudget::new(0);
     for pixel in Pixel::all(UVec2::new(24, 18)) {
         let ray = close_up().ray(pixel.centre());
         let deep = PathBudget::new(6);
+        let what = |case| format!("{case}, {pixel:?}");
         let untinted = trace(&scene, &ray, deep, fresnel);
         let yours = trace_split(&scene, &ray, deep, [Vec3::ONE; 2]);
-        assert_close(&format!("without a tint, {pixel:?}"), yours, untinted);
-        // After one bounce: the surface's own light, and that of two rays.
-        let mut right = trace(&scene, &ray, none, fresnel);
-        if let Some(hit) = nearest(&scene.objects, &ray) {
-            let at = Interaction::new(&scene.objects, &ray, hit);
-            let optics = &scene.objects[at.index].material.optics;
-            for (scattered, tint) in scatter(optics, &at, fresnel).into_iter().zip(tints)
-            {
-                let Some((weight, direction)) = scattered else {
-                    continue;
-                };
-                let next = spawn_ray(&at, direction);
-                right += weight * tint * trace(&scene, &next, none, fresnel);
+        assert_close(&what("without a tint"), yours, untinted);
+        let own = trace(&scene, &ray, none, fresnel);
+        let yours = trace_split(&scene, &ray, none, tints);
+        assert_close(&what("without a bounce"), yours, own);
+        // With some bounces: the surface's own light, and that of two rays with one less.
+        for budget in [1, 2, 3].map(PathBudget::new) {
+            let mut right = own;
+            if let Some(hit) = nearest(&scene.objects, &ray) {
+                let at = Interaction::new(&scene.objects, &ray, hit);
+                let optics = &scene.objects[at.index].material.optics;
+                let rays = scatter(optics, &at, fresnel).into_iter().zip(tints);
+                for (scattered, tint) in rays {
+                    let Some((weight, direction)) = scattered else {
+                        continue;
+                    };
+                    if let Some(budget) = budget.attenuated(weight) {
+                        let next = spawn_ray(&at, direction);
+                        right +=
+                            weight * tint * trace_split(&scene, &next, budget, tints);
+                    }
+                }
             }
+            let yours = trace_split(&scene, &ray, budget, tints);
+            assert_close(&what("with tints"), yours, right);
         }
-        let yours = trace_split(&scene, &ray, one, tints);
-        let tolerated = (yours - right).length() < 1e-3;
-        assert!(
-            tolerated,
-            "one bounce, {pixel:?}: yours is {yours}, right is {right}"
-        );
     }
 }
 

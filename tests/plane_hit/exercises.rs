@@ -29,8 +29,9 @@ fn tilted_wall() -> Plane {
 /// Checks points of a plane in the middle of its squares, as computed for a ray: it may be up
 /// to a millionth off the plane.
 fn check_1(is_even_on: fn(&Plane, Vec3) -> bool) {
-    let floor = Plane::new(Vec3::ZERO, Vec3::Y).expect("a plane");
-    for plane in [floor, wall(), tilted_wall()] {
+    let point = Vec3::new(0.3, -0.6, 7.9);
+    for normal in [Vec3::Y, wall().normal, tilted_wall().normal] {
+        let plane = Plane::new(point, normal).expect("a plane");
         for i in 0..1000 {
             let [x, y, off] = evenly(i).map(|x| (2.0 * x - 1.0) as f32);
             let cell = (10.0 * Vec2::new(x, y)).floor();
