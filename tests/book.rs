@@ -306,7 +306,7 @@ mod the_source {
         let pictures: BTreeSet<String> =
             pictures.filter(|name| name.ends_with(".png")).collect();
         if shown != pictures {
-            let differing = shown.symmetric_difference(&pictures);
+            let differing: Vec<_> = shown.symmetric_difference(&pictures).collect();
             problems.push(format!("shown or there, and not both: {differing:?}"));
         }
         none(&problems);
