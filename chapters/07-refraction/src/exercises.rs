@@ -9,6 +9,7 @@ use reflection::PathBudget;
 use shading::Phong;
 use shadows::Scene;
 
+// ANCHOR: exercise-1
 /// A clear surface: of the lights it shows the highlights alone.
 const CLEAR: Phong = Phong {
     colour: Texture::Solid(Vec3::ONE),
@@ -18,7 +19,6 @@ const CLEAR: Phong = Phong {
     shininess: 200,
 };
 
-// ANCHOR: exercise-1
 /// Returns the surface of a sea: the plane y = 1, with water of an index of 1.33 below it and
 /// air above.
 pub fn sea() -> Object<Material> {
