@@ -27,7 +27,7 @@ macro_rules! studies {
     };
 }
 
-studies!(sphere plane bounces refraction fresnel highlight recursion sampling acne growth packets);
+studies!(sphere plane bounces refraction fresnel highlight recursion sampling acne growth packets threads);
 
 /// The yardstick of growth is none if it finds anything else.
 #[test]

@@ -11,11 +11,12 @@ pub mod recursion;
 pub mod refraction;
 pub mod sampling;
 pub mod sphere;
+pub mod threads;
 
 use crate::study::Study;
 
 /// Every study of the chapter.
-pub const STUDIES: [&Study; 11] = [
+pub const STUDIES: [&Study; 12] = [
     &sphere::STUDY,
     &plane::STUDY,
     &bounces::STUDY,
@@ -27,4 +28,5 @@ pub const STUDIES: [&Study; 11] = [
     &acne::STUDY,
     &growth::STUDY,
     &packets::STUDY,
+    &threads::STUDY,
 ];

@@ -3,26 +3,26 @@
 use crate::chart::{Axis, Chart, Quantity};
 use crate::study::{Choice, Clock, Study, each};
 use crate::table::Measurement;
-use canvas::{Canvas, Picture, rays_so_far};
+use canvas::{Picture, rays_so_far};
 use glam::{UVec2, Vec3};
-use measure::pictures::{frame, packet_picture, pool, scalar_picture};
+use measure::pictures::{frame, packet_picture, scalar_picture};
 use measure::scenes::plain_scene;
 use packets::{LANES, packets_so_far};
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::Material;
 use shadows::Scene;
 
-/// One ray at once or a packet of sixteen: lanes in use, lanes that stay active from bounce
-/// to bounce, and threads.
+/// One ray at once or a packet of sixteen: lanes in use, and lanes that stay active from
+/// bounce to bounce.
 ///
 /// Nanoseconds are those of one pixel. Of "lanes", the setting is how many of the sixteen
 /// hold a camera ray, and work is what is traced for a pixel, rays or packets; of
 /// "divergence", the bounces before, and the active lanes of the packets that are traced
-/// there; of "all rays", those of all packets; of "threads", their number, and rays for a
-/// pixel. A pixel is wrong if any bit differs from that of one ray at once on one thread.
+/// there; of "all rays", those of all packets. A pixel is wrong if any bit differs from that
+/// of one ray at once.
 pub const STUDY: Study = Study {
     name: "packets",
-    title: "What sixteen rays at once gain: lanes in use, lanes that stay together, threads",
+    title: "What sixteen rays at once gain: lanes in use, and lanes that stay together",
     measure,
     chosen: &[Choice::of("packets")],
     charts: &[
@@ -30,27 +30,24 @@ pub const STUDY: Study = Study {
             .titled("The still life: every lane in use makes a pixel cheaper"),
         Chart::new("divergence", (Quantity::Setting, "bounces"), ACTIVE)
             .titled("Divergence: the more bounces, the emptier the packets"),
-        Chart::new("threads", (Quantity::Setting, "threads"), TIME)
-            .titled("The still life: threads help as far as there are processors"),
     ],
 };
 
-const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel");
+pub(super) const TIME: Axis = (Quantity::Ns, "nanoseconds per pixel");
 const ACTIVE: Axis = (Quantity::Work, "active lanes of sixteen");
 
 /// A size at which starting a thread pays.
-const LARGE: UVec2 = UVec2::new(320, 240);
+pub(super) const LARGE: UVec2 = UVec2::new(320, 240);
 
 fn measure(clock: &Clock) -> Vec<Measurement> {
     let mut rows = lanes(clock);
     rows.extend(divergence("still life", "still-life"));
     rows.extend(divergence("nested glass", "nested"));
-    rows.extend(threads(clock));
     rows
 }
 
 /// Returns the still life by n × n samples per pixel, one ray at once and in packets.
-fn still_life(n: u32) -> [Picture; 2] {
+pub(super) fn still_life(n: u32) -> [Picture; 2] {
     let (scene, camera) = plain_scene("still-life");
     let budget = PathBudget::new(MAX_DEPTH);
     [
@@ -69,7 +66,7 @@ fn traced(picture: &Picture, size: UVec2, span: usize) -> (Vec<Vec3>, [u64; 2]) 
 }
 
 /// Returns the percentage of pixels in which any bit differs.
-fn differing(right: &[Vec3], radiance: &[Vec3]) -> Option<f64> {
+pub(super) fn differing(right: &[Vec3], radiance: &[Vec3]) -> Option<f64> {
     let bits = |radiance: &Vec3| radiance.to_array().map(f32::to_bits);
     let pairs = right.iter().zip(radiance);
     let wrong = pairs.filter(|(right, ours)| bits(right) != bits(ours));
@@ -134,28 +131,5 @@ fn divergence(name: &str, scene: &str) -> Vec<Measurement> {
         (paths, all) = (deeper, deeper_all);
     }
     rows.push(row("all rays", name.to_string(), 0, up_to(&lit, MAX_DEPTH)));
-    rows
-}
-
-fn threads(clock: &Clock) -> Vec<Measurement> {
-    let [one_by_one, packets] = still_life(1);
-    let right = frame(&one_by_one, LARGE, LANES);
-    let methods = [("one by one", &one_by_one), ("packets", &packets)];
-    let mut rows = Vec::new();
-    for threads in [1, 2, 4, 8] {
-        let pool = &pool(threads);
-        let render = |picture| pool.install(|| Canvas::render(picture, LARGE));
-        let jobs = methods.map(|(_, picture)| each(&[()], move |()| render(picture)));
-        let times = clock.min_of_rounds(right.len(), jobs);
-        for ((method, picture), ns) in methods.into_iter().zip(times) {
-            let canvas = render(picture);
-            rows.push(Measurement {
-                work: Some(canvas.rays as f64 / right.len() as f64),
-                wrong: differing(&right, &canvas.radiance),
-                ns,
-                ..Measurement::of("threads", method, threads as f64)
-            });
-        }
-    }
     rows
 }
