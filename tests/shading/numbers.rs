@@ -1,12 +1,37 @@
 //! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
 //! under test has written them.
 
-use ::shading::{STAGE, powi};
+use ::plane_hit::Texture;
+use ::shading::scene::still_life_surfaces;
+use ::shading::{Phong, STAGE, powi};
+use ::shadows::scene::lit_still_life;
+use glam::Vec3;
 use harness::{HERO, Numbers, ray_counts, render, table, three_digits};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
+    let objects = lit_still_life(still_life_surfaces()).objects;
+    numbers.note(
+        "surfaces",
+        table(objects.iter().map(|object| {
+            let Phong {
+                colour,
+                ambient,
+                diffuse,
+                specular,
+                shininess,
+            } = object.material;
+            [
+                object.name.to_string(),
+                in_words(colour),
+                ambient.to_string(),
+                diffuse.to_string(),
+                specular.to_string(),
+                shininess.to_string(),
+            ]
+        })),
+    );
     let powers = [(0.9, 10), (0.99, 50), (0.99, 200), (0.5, 200), (-0.9, 10)];
     numbers.note(
         "powers",
@@ -37,4 +62,13 @@ fn the_numbers_are_those_in_the_book() {
     let views = STAGE.views.iter().map(|view| view.name);
     numbers.note("rays", ray_counts(&STAGE, views));
     numbers.check(STAGE.name);
+}
+
+/// Returns the colour of an even square, and that of an odd one if it is another.
+fn in_words(colour: Texture) -> String {
+    let rgb = |colour: Vec3| format!("({}, {}, {})", colour.x, colour.y, colour.z);
+    match colour {
+        Texture::Solid(colour) => rgb(colour),
+        Texture::Checker(even, odd) => format!("{} and {}", rgb(even), rgb(odd)),
+    }
 }
