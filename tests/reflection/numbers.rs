@@ -2,12 +2,14 @@
 //! under test has written them.
 
 use crate::laws::ambient_mirror;
-use ::plane_hit::{Object, Shape};
+use ::plane_hit::{Object, Plane, Shape, Texture};
 use ::ray_casting::{Ray, SKY};
+use ::reflection::scene::{facing_mirrors, still_life_mirrors};
 use ::reflection::{
-    PathBudget, STAGE, bounce_inside, reflect, reflect_unnormalized, trace,
+    Mirror, PathBudget, STAGE, bounce_inside, reflect, reflect_unnormalized, trace,
 };
 use ::shadows::Scene;
+use ::shadows::scene::lit_still_life;
 use ::sphere_hit::Sphere;
 use glam::Vec3;
 use harness::{HERO, Numbers, chapter, render, table, three_digits, with_separators};
@@ -15,6 +17,18 @@ use harness::{HERO, Numbers, chapter, render, table, three_digits, with_separato
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
+    let still_life = lit_still_life(still_life_mirrors());
+    let reflecting = |object: &&Object<Mirror>| object.material.reflectivity > 0.0;
+    let mirrors = still_life.objects.iter().filter(reflecting);
+    numbers.note("mirrors", table(mirrors.map(surface)));
+    let (facing, _) = facing_mirrors(0.9);
+    numbers.note("facing-shapes", table(facing.objects.iter().map(shape)));
+    numbers.note("facing-surfaces", table(facing.objects.iter().map(surface)));
+    let lights = facing.lights.iter();
+    numbers.note(
+        "facing-lights",
+        table(lights.map(|light| [triple(light.position), light.intensity.to_string()])),
+    );
     numbers.note("growth", growth());
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
     let rays = render(&STAGE, "bouncing", HERO).rays;
@@ -24,6 +38,47 @@ fn the_numbers_are_those_in_the_book() {
     let rays = render(before, "combined", HERO).rays;
     numbers.note(&anchor, with_separators(rays));
     numbers.check(STAGE.name);
+}
+
+/// Returns an object's name and the numbers of its surface.
+fn surface(object: &Object<Mirror>) -> [String; 7] {
+    let Mirror {
+        phong,
+        reflectivity,
+    } = object.material;
+    let colour = match phong.colour {
+        Texture::Solid(colour) => triple(colour),
+        Texture::Checker(even, odd) => format!("{} and {}", triple(even), triple(odd)),
+    };
+    [
+        object.name.to_string(),
+        colour,
+        phong.ambient.to_string(),
+        phong.diffuse.to_string(),
+        phong.specular.to_string(),
+        phong.shininess.to_string(),
+        reflectivity.to_string(),
+    ]
+}
+
+/// Returns an object's name and where it is.
+fn shape(object: &Object<Mirror>) -> [String; 2] {
+    let place = match object.shape {
+        Shape::Sphere(Sphere { centre, radius }) => {
+            format!("sphere, centre {}, radius {radius}", triple(centre))
+        }
+        Shape::Plane(Plane { point, normal, .. }) => {
+            format!("plane through {}, normal {}", triple(point), triple(normal))
+        }
+    };
+    [object.name.to_string(), place]
+}
+
+/// Returns three numbers as they are written in the code: `(0.5, −3, 0)`.
+fn triple(v: Vec3) -> String {
+    // Adding 0 makes a 0 of −0.
+    let Vec3 { x, y, z } = v + 0.0;
+    format!("({x}, {y}, {z})").replace('-', "−")
 }
 
 /// Returns the error in a direction's length, bounce by bounce, inside a mirror sphere that the
