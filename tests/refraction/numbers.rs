@@ -2,12 +2,14 @@
 //! under test has written them.
 
 use ::canvas::Pixel;
-use ::plane_hit::nearest;
+use ::plane_hit::{Texture, nearest};
 use ::ray_casting::Camera;
 use ::ray_casting::scene::still_life_camera;
 use ::reflection::MAX_DEPTH;
 use ::refraction::scene::{AIR, GLASS, close_up, still_life_with_glass};
-use ::refraction::{Interface, Optics, STAGE, refract, refract_or_reflect, spawn_ray};
+use ::refraction::{
+    Interface, Material, Optics, STAGE, refract, refract_or_reflect, spawn_ray,
+};
 use ::shadows::Interaction;
 use glam::Vec3;
 use harness::{HERO, Numbers, table, vector, with_separators};
@@ -17,6 +19,31 @@ const DIAMOND: f32 = 2.42;
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
+    let objects = still_life_with_glass(GLASS, AIR).objects;
+    let dielectrics = objects.iter().filter_map(|object| {
+        let Material { phong, optics } = object.material;
+        let (
+            Texture::Solid(Vec3 { x, y, z }),
+            Optics::Dielectric {
+                eta_inside,
+                eta_outside,
+            },
+        ) = (phong.colour, optics)
+        else {
+            return None;
+        };
+        Some([
+            object.name.to_string(),
+            format!("({x}, {y}, {z})"),
+            phong.ambient.to_string(),
+            phong.diffuse.to_string(),
+            phong.specular.to_string(),
+            phong.shininess.to_string(),
+            eta_inside.to_string(),
+            eta_outside.to_string(),
+        ])
+    });
+    numbers.note("dielectrics", table(dielectrics));
     let spots = [
         (Vec3::new(0.6, -0.8, 0.0), AIR, GLASS),
         (Vec3::new(0.6, -0.8, 0.0), GLASS, AIR),

@@ -79,32 +79,6 @@ pub fn refract_or_reflect(
 }
 // ANCHOR_END: refract-or-reflect
 
-// ANCHOR: failed
-/// Refracts with a bug: the ratio of the indices is not inverted when the ray leaves.
-pub fn refract_without_inverting(
-    at: &Interaction,
-    eta_inside: f32,
-    eta_outside: f32,
-) -> (f32, Vec3) {
-    let refracted = refract(at.incident, at.normal, eta_outside / eta_inside);
-    let direction = refracted.unwrap_or_else(|| reflect(at.incident, at.normal));
-    (1.0, direction)
-}
-
-/// Refracts with a bug: under total internal reflection the light is lost.
-pub fn refract_without_total_reflection(
-    at: &Interaction,
-    eta_inside: f32,
-    eta_outside: f32,
-) -> (f32, Vec3) {
-    let Interface { eta_i, eta_t } = Interface::new(at, eta_inside, eta_outside);
-    match refract(at.incident, at.normal, eta_i / eta_t) {
-        Some(direction) => (1.0, direction),
-        None => (0.0, at.incident),
-    }
-}
-// ANCHOR_END: failed
-
 // ANCHOR: material
 /// How an object reflects and transmits rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,8 +111,8 @@ pub struct Material {
 // ANCHOR_END: material
 
 // ANCHOR: trace
-/// One of the functions above: from a hit and the indices inside and outside to the weight
-/// and the direction of the scattered ray.
+/// How a dielectric scatters a ray, as [`refract_or_reflect`] does: from a hit and the indices
+/// inside and outside to the weight and the unit direction of the next ray.
 pub type Transmission = fn(&Interaction, f32, f32) -> (f32, Vec3);
 
 /// Returns the radiance along a ray: that of the surface that it hits first and what is seen
@@ -182,6 +156,32 @@ pub fn spawn_ray(at: &Interaction, direction: Vec3) -> Ray {
     }
 }
 // ANCHOR_END: trace
+
+// ANCHOR: failed
+/// Refracts with a bug: the ratio of the indices is not inverted when the ray leaves.
+pub fn refract_without_inverting(
+    at: &Interaction,
+    eta_inside: f32,
+    eta_outside: f32,
+) -> (f32, Vec3) {
+    let refracted = refract(at.incident, at.normal, eta_outside / eta_inside);
+    let direction = refracted.unwrap_or_else(|| reflect(at.incident, at.normal));
+    (1.0, direction)
+}
+
+/// Refracts with a bug: under total internal reflection the light is lost.
+pub fn refract_without_total_reflection(
+    at: &Interaction,
+    eta_inside: f32,
+    eta_outside: f32,
+) -> (f32, Vec3) {
+    let Interface { eta_i, eta_t } = Interface::new(at, eta_inside, eta_outside);
+    match refract(at.incident, at.normal, eta_i / eta_t) {
+        Some(direction) => (1.0, direction),
+        None => (0.0, at.incident),
+    }
+}
+// ANCHOR_END: failed
 
 // ANCHOR: ours
 // The exercises; and the pictures of this page, for the window, the command line and the tests
