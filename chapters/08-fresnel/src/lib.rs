@@ -61,7 +61,7 @@ pub fn schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 // ANCHOR_END: schlick
 
 // ANCHOR: scatter
-/// One of the functions above: from cosθᵢ, ηᵢ and ηₜ to the reflectance.
+/// A function like [`fresnel`]: from cosθᵢ, ηᵢ and ηₜ to the reflectance.
 pub type Reflectance = fn(f32, f32, f32) -> f32;
 
 /// Returns the reflected and the transmitted ray of a hit, each as a weight and a unit
