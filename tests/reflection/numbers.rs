@@ -22,13 +22,18 @@ fn the_numbers_are_those_in_the_book() {
     let mirrors = still_life.objects.iter().filter(reflecting);
     numbers.note("mirrors", table(mirrors.map(surface)));
     let (facing, _) = facing_mirrors(0.9);
-    numbers.note("facing-shapes", table(facing.objects.iter().map(shape)));
-    numbers.note("facing-surfaces", table(facing.objects.iter().map(surface)));
-    let lights = facing.lights.iter();
-    numbers.note(
-        "facing-lights",
-        table(lights.map(|light| [triple(light.position), light.intensity.to_string()])),
-    );
+    let objects = facing.objects.iter();
+    let lights = facing.lights.iter().map(|light| {
+        let place = format!(
+            "at {}, of intensity {}",
+            triple(light.position),
+            light.intensity
+        );
+        ["light".to_string(), place]
+    });
+    let places = objects.clone().map(place).chain(lights);
+    numbers.note("facing-places", table(places));
+    numbers.note("facing-surfaces", table(objects.map(surface)));
     numbers.note("growth", growth());
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
     let rays = render(&STAGE, "bouncing", HERO).rays;
@@ -62,7 +67,7 @@ fn surface(object: &Object<Mirror>) -> [String; 7] {
 }
 
 /// Returns an object's name and where it is.
-fn shape(object: &Object<Mirror>) -> [String; 2] {
+fn place(object: &Object<Mirror>) -> [String; 2] {
     let place = match object.shape {
         Shape::Sphere(Sphere { centre, radius }) => {
             format!("sphere, centre {}, radius {radius}", triple(centre))
