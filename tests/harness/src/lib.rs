@@ -13,7 +13,8 @@ mod snapshots;
 pub use exercises::{assert_close, check_solution, judge};
 pub use inputs::{cases, evenly, magnitude, special, special_vector, unit_vector};
 pub use numbers::{
-    Numbers, edge_of_shadow, percent, table, three_digits, vector, with_separators,
+    Numbers, edge_of_shadow, percent, table, three_digits, triple, vector,
+    with_separators,
 };
 pub use pictures::{
     HERO, SMALL, chapter, check_threads, largest_difference, ray_counts, render,

@@ -2,6 +2,7 @@
 //! include by anchor.
 
 use crate::snapshots::advice;
+use glam::Vec3;
 use similar::TextDiff;
 
 // The numbers of tests are written as those of the studies are; no chapter is built for it.
@@ -96,4 +97,11 @@ pub fn table<const N: usize>(rows: impl IntoIterator<Item = [String; N]>) -> Str
 pub fn vector(v: &[f32]) -> String {
     let numbers: Vec<_> = v.iter().map(|x| format!("{x:.3}")).collect();
     format!("({})", numbers.join(", ").replace('-', "−"))
+}
+
+/// Returns a vector as we write it by hand: `(0.6, −0.05, 0)`.
+#[must_use]
+pub fn triple(v: Vec3) -> String {
+    let numbers = v.to_array().map(|x| three_digits(f64::from(x)));
+    format!("({})", numbers.join(", "))
 }
