@@ -3,18 +3,19 @@
 
 use ::canvas::Pixel;
 use ::plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
-use ::plane_hit::{Plane, STAGE, nearest};
+use ::plane_hit::{Object, Plane, STAGE, Shape, Texture, nearest};
 use ::ray_casting::scene::still_life_camera;
 use ::ray_casting::{Ray, SKY};
-use ::sphere_hit::T_MAX;
+use ::sphere_hit::{Sphere, T_MAX};
 use glam::Vec3;
-use harness::{HERO, Numbers, SMALL, percent, render, table, with_separators};
+use harness::{HERO, Numbers, SMALL, percent, render, table, triple, with_separators};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
     let camera = still_life_camera();
     let objects = still_life(STILL_LIFE_COLOURS);
+    numbers.note("still-life", table(objects.iter().map(described)));
     let hit = |pixel: Pixel| {
         let (index, t) = nearest(&objects, &camera.ray(pixel.centre()))?;
         Some((objects[index].name, t))
@@ -59,6 +60,25 @@ fn the_numbers_are_those_in_the_book() {
 
     numbers.note("offset", offset());
     numbers.check(STAGE.name);
+}
+
+/// Returns an object's name, its shape and its colour.
+fn described(object: &Object<Texture>) -> [String; 3] {
+    let shape = match object.shape {
+        Shape::Sphere(Sphere { centre, radius }) => {
+            format!("sphere, centre {}, radius {radius}", triple(centre))
+        }
+        Shape::Plane(Plane { point, normal, .. }) => {
+            format!("plane through {}, normal {}", triple(point), triple(normal))
+        }
+    };
+    let colour = match object.material {
+        Texture::Solid(colour) => triple(colour),
+        Texture::Checker(even, odd) => {
+            format!("even squares {}, odd squares {}", triple(even), triple(odd))
+        }
+    };
+    [object.name.to_string(), shape, colour]
 }
 
 /// Returns the distance to a plane that is given by a point far from the ray: by the
