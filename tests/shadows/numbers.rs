@@ -3,22 +3,46 @@
 
 use ::canvas::Pixel;
 use ::plane_hit::scene::STILL_LIFE_COLOURS;
-use ::plane_hit::{Object, Shape};
+use ::plane_hit::{Object, Plane, Shape};
 use ::ray_casting::SKY;
 use ::ray_casting::scene::still_life_camera;
-use ::shadows::scene::lit_still_life;
+use ::shadows::scene::{light_between_balls, lit_still_life};
 use ::shadows::{
     Interaction, PointLight, STAGE, Scene, is_visible, is_visible_buggy, trace,
 };
+use ::sphere_hit::Sphere;
 use glam::Vec3;
 use harness::{
-    HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table,
+    HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table, triple,
     with_separators,
 };
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
     let mut numbers = Numbers::default();
+    let lights = ["first", "second"]
+        .into_iter()
+        .zip(lit_still_life([(); 6]).lights);
+    numbers.note(
+        "lights",
+        table(lights.map(|(name, light)| {
+            [
+                name.to_string(),
+                triple(light.position),
+                light.intensity.to_string(),
+            ]
+        })),
+    );
+    let (between, _) = light_between_balls();
+    let objects = between.objects.iter();
+    numbers.note(
+        "between-objects",
+        table(objects.map(|object| [object.name.to_string(), place(&object.shape)])),
+    );
+    let [light] = between.lights[..] else {
+        panic!("one light");
+    };
+    numbers.note("between-light", triple(light.position));
     numbers.note("differing-still-life", differing_still_life());
     let [buggy, cured] =
         ["beyond-buggy", "beyond"].map(|view| render(&STAGE, view, SMALL).radiance);
@@ -48,6 +72,18 @@ fn the_numbers_are_those_in_the_book() {
         .count();
     numbers.note("dark", percent(dark, hard.len()));
     numbers.check(STAGE.name);
+}
+
+/// Returns what a shape is, and where.
+fn place(shape: &Shape) -> String {
+    match *shape {
+        Shape::Sphere(Sphere { centre, radius }) => {
+            format!("sphere, centre {}, radius {radius}", triple(centre))
+        }
+        Shape::Plane(Plane { point, normal, .. }) => {
+            format!("plane through {}, normal {}", triple(point), triple(normal))
+        }
+    }
 }
 
 /// Returns the number of pixels of the still life that the buggy shadow changes.
