@@ -151,6 +151,22 @@ mod the_source {
         );
     }
 
+    /// Those of chapters 0 to 11, without the exercises.
+    #[test]
+    fn prints_as_many_lines_of_rust_as_the_introduction_says() {
+        assert!(read("introduction.md").contains("some three thousand lines of Rust"));
+        let chapters = STAGES[..12].iter().map(|stage| read(&page_of(stage)));
+        let listings = chapters.flat_map(|page| {
+            let (text, _) = page.split_once("\n## Exercises").expect("exercises");
+            commands(text, "include")
+        });
+        let listings = listings.filter(|command| command.contains(".rs:"));
+        let lines: usize = listings
+            .map(|command| included(&command).expect("a listing").len())
+            .sum();
+        assert!((2_800..=3_200).contains(&lines), "{lines} lines");
+    }
+
     /// Those of twelve that a reader looked for in vain, and of others that name what a page is
     /// about.
     #[test]

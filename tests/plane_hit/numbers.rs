@@ -62,23 +62,25 @@ fn the_numbers_are_those_in_the_book() {
     numbers.check(STAGE.name);
 }
 
-/// Returns an object's name, its shape and its colour.
-fn described(object: &Object<Texture>) -> [String; 3] {
-    let shape = match object.shape {
-        Shape::Sphere(Sphere { centre, radius }) => {
-            format!("sphere, centre {}, radius {radius}", triple(centre))
-        }
-        Shape::Plane(Plane { point, normal, .. }) => {
-            format!("plane through {}, normal {}", triple(point), triple(normal))
-        }
+/// Returns an object's name, its shape, the shape's size or direction, and its colour.
+fn described(object: &Object<Texture>) -> [String; 4] {
+    let [shape, size] = match object.shape {
+        Shape::Sphere(Sphere { centre, radius }) => [
+            format!("sphere around {}", triple(centre)),
+            format!("radius {radius}"),
+        ],
+        Shape::Plane(Plane { point, normal, .. }) => [
+            format!("plane through {}", triple(point)),
+            format!("normal {}", triple(normal)),
+        ],
     };
     let colour = match object.material {
         Texture::Solid(colour) => triple(colour),
         Texture::Checker(even, odd) => {
-            format!("even squares {}, odd squares {}", triple(even), triple(odd))
+            format!("{} and {}", triple(even), triple(odd))
         }
     };
-    [object.name.to_string(), shape, colour]
+    [object.name.to_string(), shape, size, colour]
 }
 
 /// Returns the distance to a plane that is given by a point far from the ray: by the
