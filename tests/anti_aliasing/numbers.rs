@@ -1,13 +1,18 @@
 //! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
 //! under test has written them.
 
+use ::anti_aliasing::scene::horizon_camera;
 use ::anti_aliasing::{
     STAGE, Sampler, adaptive, clamped, jittered, mean_of_levels, regular,
 };
 use canvas::{Pixel, encode};
 use fresnel::{fresnel, trace};
 use glam::{UVec2, Vec2, Vec3};
-use harness::{Numbers, SMALL, evenly, percent, render_at, table};
+use harness::{
+    Numbers, SMALL, evenly, percent, render_at, table, three_digits, triple, vector,
+    with_separators,
+};
+use ray_casting::Camera;
 use ray_casting::scene::still_life_camera;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::{AIR, GLASS, still_life_with_glass};
@@ -28,9 +33,9 @@ fn the_numbers_are_those_in_the_book() {
     numbers.note("half-light", encode(regular(pixel, 8, &half))[0]);
     numbers.note("half-levels", encode(mean_of_levels(pixel, 8, &half))[0]);
     let samplers: [(&str, Sampler, u32); 5] = [
-        ("1", regular, 1),
-        ("grid, 2 × 2", regular, 2),
-        ("grid, 4 × 4", regular, 4),
+        ("regular, 1 × 1", regular, 1),
+        ("regular, 2 × 2", regular, 2),
+        ("regular, 4 × 4", regular, 4),
         ("jittered, 4 × 4", jittered, 4),
         ("adaptive, 2 × 2 or 8 × 8", adaptive, 8),
     ];
@@ -39,6 +44,13 @@ fn the_numbers_are_those_in_the_book() {
         table(samplers.map(|(name, sampler, n)| [name.to_string(), missed(sampler, n)])),
     );
     numbers.note("rays", rays());
+    numbers.note(
+        "cameras",
+        table([
+            row("the still life's", still_life_camera()),
+            row("the horizon's", horizon_camera()),
+        ]),
+    );
     for (name, light) in [("black", 0.0), ("half", 0.5)] {
         let [from, to] = [light, light + 0.05].map(|light| encode(Vec3::splat(light))[0]);
         numbers.note(&format!("twentieth-of-{name}"), to - from);
@@ -48,6 +60,16 @@ fn the_numbers_are_those_in_the_book() {
     numbers.note("clamped-worst", worst);
     numbers.note("clamped-lost", lost);
     numbers.check(STAGE.name);
+}
+
+/// Returns a camera's name, eye, direction and focal length.
+fn row(name: &str, camera: Camera) -> [String; 4] {
+    [
+        name.to_string(),
+        triple(camera.eye),
+        vector(&camera.forward.to_array()),
+        three_digits(camera.focal_length.into()),
+    ]
 }
 
 /// Returns the fraction of pixels that are black although they hold a white dot with a radius
@@ -103,18 +125,18 @@ fn rays() -> String {
     let rays = |view, n| render_at(&STAGE, view, n, SMALL).rays;
     let once = rays("grid", 1.0);
     let settings = [
-        ("grid", 1.0),
-        ("grid", 4.0),
-        ("jittered", 4.0),
-        ("adaptive", 4.0),
-        ("adaptive", 8.0),
+        ("regular", "grid", 1.0),
+        ("regular", "grid", 4.0),
+        ("jittered", "jittered", 4.0),
+        ("adaptive", "adaptive", 4.0),
+        ("adaptive", "adaptive", 8.0),
     ];
-    table(settings.map(|(name, n)| {
-        let rays = rays(name, n);
+    table(settings.map(|(sampler, view, n)| {
+        let rays = rays(view, n);
         let times = rays as f64 / once as f64;
         [
-            format!("{name}, n = {n}"),
-            rays.to_string(),
+            format!("{sampler}, n = {n}"),
+            with_separators(rays),
             format!("{times:.2}"),
         ]
     }))
