@@ -2,11 +2,14 @@
 //! under test has written them.
 
 use crate::faults::wrong_pixels;
+use ::shadow_acne::scene::balls_on_a_planet;
 use ::shadow_acne::{STAGE, from_surface};
 use glam::Vec3;
-use harness::{Numbers, edge_of_shadow, table};
-use plane_hit::{Object, Shape};
+use harness::{Numbers, edge_of_shadow, table, triple, vector};
+use plane_hit::{Object, Shape, Texture};
+use refraction::{Material, Optics};
 use shadows::{Interaction, PointLight, Scene, is_visible};
+use sphere_hit::Sphere;
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -23,7 +26,52 @@ fn the_numbers_are_those_in_the_book() {
     for ground in [1e4, 1e6] {
         numbers.note(&format!("ground-{ground}"), wrong_pixels(ground));
     }
+    note_planet(&mut numbers);
     numbers.check(STAGE.name);
+}
+
+/// Notes what is on the planet, at a scale of 1.
+fn note_planet(numbers: &mut Numbers) {
+    let (scene, camera) = balls_on_a_planet(1.0);
+    let row = |object: &Object<Material>| {
+        let Shape::Sphere(Sphere { centre, radius }) = object.shape else {
+            panic!("{} is a ball", object.name);
+        };
+        let Optics::Opaque { reflectivity } = object.material.optics else {
+            panic!("{} is opaque", object.name);
+        };
+        let Texture::Solid(colour) = object.material.phong.colour else {
+            panic!("{} has one colour", object.name);
+        };
+        [
+            object.name.to_string(),
+            triple(centre),
+            radius.to_string(),
+            triple(colour),
+            reflectivity.to_string(),
+        ]
+    };
+    numbers.note("planet", table(scene.objects.iter().map(row)));
+    let material = |object: &Object<Material>| {
+        let phong = &object.material.phong;
+        [
+            "of every object".to_string(),
+            phong.ambient.to_string(),
+            phong.diffuse.to_string(),
+            phong.specular.to_string(),
+            phong.shininess.to_string(),
+        ]
+    };
+    let mut materials: Vec<_> = scene.objects.iter().map(material).collect();
+    materials.dedup();
+    numbers.note("planet-material", table(materials));
+    let [light] = scene.lights[..] else {
+        panic!("there is one light");
+    };
+    numbers.note("planet-light", triple(light.position));
+    numbers.note("planet-intensity", light.intensity);
+    numbers.note("planet-eye", triple(camera.eye));
+    numbers.note("planet-forward", vector(&camera.forward.to_array()));
 }
 
 /// Returns the radius of the shadow of a ball of radius `scale` on a floor, from a light 10 of

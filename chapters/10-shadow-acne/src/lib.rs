@@ -41,15 +41,6 @@ pub fn untracked(ray: Ray) -> SurfaceRay {
 // ANCHOR_END: surface-ray
 
 // ANCHOR: offsets
-/// Spawns a ray at the computed point, which rounding puts on either side of the surface:
-/// the bug.
-pub fn without_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
-    untracked(Ray {
-        origin: at.point,
-        direction,
-    })
-}
-
 /// Spawns a ray at a fixed distance from the surface, [`SHADOW_BIAS`].
 pub fn with_fixed_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
     let normal = face_forward(at.outward, -direction);
@@ -200,6 +191,17 @@ impl SurfaceRay {
     }
 }
 // ANCHOR_END: from-surface
+
+// ANCHOR: without-offset
+/// Spawns a ray at the computed point, which rounding puts on either side of the surface:
+/// the bug.
+pub fn without_offset(at: &Interaction, direction: Vec3) -> SurfaceRay {
+    untracked(Ray {
+        origin: at.point,
+        direction,
+    })
+}
+// ANCHOR_END: without-offset
 
 // ANCHOR: trace
 /// Returns the radiance along a ray, as `fresnel::trace` does, but with `spawn` to choose

@@ -37,7 +37,7 @@ const TIME: Axis = (Quantity::Ns, "nanoseconds per shadow ray");
 
 /// A name, a method, and whether the charts over the scale show it.
 const METHODS: [(&str, Method, bool); 9] = [
-    ("no offset", Method::Spawn(without_offset), true),
+    ("without offset", Method::Spawn(without_offset), true),
     ("fixed 10⁻⁶", Method::Offset(1e-6), true),
     ("fixed 10⁻⁵", Method::Offset(1e-5), false),
     ("fixed 10⁻⁴", Method::Offset(1e-4), true),
