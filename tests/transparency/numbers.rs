@@ -2,13 +2,17 @@
 //! under test has written them.
 
 use ::shadow_acne::STAGE as LAST_STAGE;
-use ::transparency::scene::AMBER;
-use ::transparency::{STAGE, transmittance};
+use ::transparency::scene::{AMBER, pool};
+use ::transparency::{Absorbing, STAGE, transmittance};
 use canvas::Stage;
 use glam::Vec3;
 use harness::{
-    HERO, Numbers, chapter, render, render_at, table, three_digits, with_separators,
+    HERO, Numbers, chapter, render, render_at, table, three_digits, triple, vector,
+    with_separators,
 };
+use plane_hit::{Object, Shape, Texture};
+use refraction::{Material, Optics};
+use sphere_hit::Sphere;
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -40,7 +44,67 @@ fn the_numbers_are_those_in_the_book() {
     }
     numbers.note("rays", table(rows));
     numbers.note("exp-error", exp_error());
+    numbers.note("amber", triple(AMBER));
+    note_pool(&mut numbers);
     numbers.check(STAGE.name);
+}
+
+/// Notes what is in the pool.
+fn note_pool(numbers: &mut Numbers) {
+    let (scene, camera) = pool();
+    let row = |object: &Object<Absorbing>| {
+        let place = match object.shape {
+            Shape::Sphere(Sphere { centre, radius }) => {
+                format!("sphere around {}, radius {radius}", triple(centre))
+            }
+            Shape::Plane(plane) => format!(
+                "plane through {}, normal {}",
+                triple(plane.point),
+                triple(plane.normal)
+            ),
+        };
+        let Absorbing {
+            material,
+            absorption,
+        } = object.material;
+        let substance = match (material.optics, material.phong.colour) {
+            (Optics::Dielectric { eta_inside, .. }, _) => format!(
+                "clear, index {eta_inside}, absorption {}",
+                triple(absorption)
+            ),
+            (Optics::Opaque { .. }, Texture::Solid(colour)) => {
+                format!("opaque, {}", triple(colour))
+            }
+            (Optics::Opaque { .. }, Texture::Checker(even, odd)) => {
+                format!("opaque, {} and {}", triple(even), triple(odd))
+            }
+        };
+        [object.name.to_string(), place, substance]
+    };
+    numbers.note("pool", table(scene.objects.iter().map(row)));
+    let surface = |object: &Object<Absorbing>| {
+        let Material { phong, optics } = object.material.material;
+        let kind = match optics {
+            Optics::Dielectric { .. } => "of what is clear",
+            Optics::Opaque { .. } => "of what is opaque",
+        };
+        [
+            kind.to_string(),
+            three_digits(phong.ambient.into()),
+            three_digits(phong.diffuse.into()),
+            three_digits(phong.specular.into()),
+            phong.shininess.to_string(),
+        ]
+    };
+    let mut surfaces: Vec<_> = scene.objects.iter().map(surface).collect();
+    surfaces.dedup();
+    numbers.note("pool-surfaces", table(surfaces));
+    let lights = scene.lights.iter();
+    let lights =
+        lights.map(|light| [triple(light.position), light.intensity.to_string()]);
+    numbers.note("pool-lights", table(lights));
+    numbers.note("pool-eye", triple(camera.eye));
+    numbers.note("pool-forward", vector(&camera.forward.to_array()));
 }
 
 /// Returns the greatest relative error of the exponential, for transmittances that are not quite
