@@ -31,6 +31,25 @@ pub fn prepare(markdown: &str) -> Result<String> {
     Ok(prepared + &markdown[done..])
 }
 
+/// Returns the page without what is folded away as a solution or an answer.
+pub fn without_solutions(markdown: &str) -> String {
+    let mut folds = markdown.split_inclusive("</details>");
+    let mut kept = String::new();
+    while let Some(text) = folds.next() {
+        match text.split_once("<details>") {
+            Some((before, fold))
+                if ["Solution", "Answer"]
+                    .iter()
+                    .any(|word| fold.contains(&format!("<summary>{word}</summary>"))) =>
+            {
+                kept += before;
+            }
+            _ => kept += text,
+        }
+    }
+    kept
+}
+
 /// Returns the page with each `{{#measured …}}` replaced that is not code.
 fn with_numbers(markdown: &str) -> Result<String> {
     let mut filled = String::new();
@@ -83,13 +102,44 @@ fn paragraph(text: &str) -> Result<Option<String>> {
 
 #[cfg(test)]
 mod a_page {
-    use super::prepare;
+    use super::{prepare, without_solutions};
     use preprocessor::{escape, measured, studies};
 
     #[test]
     fn keeps_what_is_neither_maths_nor_figure() {
         let page = "# A title\n\n| a | b |\n|---|---|\n| 1 | <br> |\n\nIt *costs* \\$5 & more.\n";
         assert_eq!(prepare(page).unwrap(), page);
+    }
+
+    #[test]
+    fn keeps_everything_but_its_solutions_if_these_are_not_wanted() {
+        let fold = |summary| {
+            format!("<details>\n<summary>{summary}</summary>\n\n…\n\n</details>\n")
+        };
+        let [hint, solution, answer] = ["Hint", "Solution", "Answer"].map(fold);
+        let page = format!("# 1\n{hint}\n{solution}\n# 2\n{hint}\n{answer}\n# 3\n{hint}");
+        let rest = format!("# 1\n{hint}\n\n\n# 2\n{hint}\n\n\n# 3\n{hint}");
+        assert_eq!(without_solutions(&page), rest);
+
+        // The pages have no other folds, and none of another form.
+        let pages = concat!(env!("CARGO_MANIFEST_DIR"), "/../src");
+        let mut removed = 0;
+        for page in std::fs::read_dir(pages).unwrap() {
+            let page = page.unwrap().path();
+            if page.extension().is_none_or(|ending| ending != "md") {
+                continue;
+            }
+            let page = std::fs::read_to_string(page).unwrap();
+            let rest = without_solutions(&page);
+            let count = |text: &str| text.matches("<details").count();
+            let hints = rest.matches("<summary>Hint</summary>").count();
+            assert_eq!(count(&rest), hints);
+            assert_eq!(count(&page), 2 * hints);
+            assert_eq!(rest.matches("### Exercise ").count(), hints);
+            assert!(!rest.contains("(pictures/solutions/"));
+            removed += count(&page) - count(&rest);
+        }
+        assert!(removed > 50, "only {removed}");
     }
 
     #[test]
