@@ -33,9 +33,8 @@ pub fn prepare(markdown: &str) -> Result<String> {
 
 /// Returns the page without what is folded away as a solution or an answer.
 pub fn without_solutions(markdown: &str) -> String {
-    let mut folds = markdown.split_inclusive("</details>");
     let mut kept = String::new();
-    while let Some(text) = folds.next() {
+    for text in markdown.split_inclusive("</details>") {
         match text.split_once("<details>") {
             Some((before, fold))
                 if ["Solution", "Answer"]
