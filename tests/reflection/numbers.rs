@@ -12,7 +12,9 @@ use ::shadows::Scene;
 use ::shadows::scene::lit_still_life;
 use ::sphere_hit::Sphere;
 use glam::Vec3;
-use harness::{HERO, Numbers, chapter, render, table, three_digits, with_separators};
+use harness::{
+    HERO, Numbers, chapter, render, table, three_digits, triple, with_separators,
+};
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -77,13 +79,6 @@ fn place(object: &Object<Mirror>) -> [String; 2] {
         }
     };
     [object.name.to_string(), place]
-}
-
-/// Returns three numbers as they are written in the code: `(0.5, −3, 0)`.
-fn triple(v: Vec3) -> String {
-    // Adding 0 makes a 0 of −0.
-    let Vec3 { x, y, z } = v + 0.0;
-    format!("({x}, {y}, {z})").replace('-', "−")
 }
 
 /// Returns the error in a direction's length, bounce by bounce, inside a mirror sphere that the

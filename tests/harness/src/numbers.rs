@@ -99,9 +99,10 @@ pub fn vector(v: &[f32]) -> String {
     format!("({})", numbers.join(", ").replace('-', "−"))
 }
 
-/// Returns a vector as we write it by hand: `(0.6, −0.05, 0)`.
+/// Returns three numbers as they are written in the code: `(0.6, −0.05, 0)`.
 #[must_use]
 pub fn triple(v: Vec3) -> String {
-    let numbers = v.to_array().map(|x| three_digits(f64::from(x)));
-    format!("({})", numbers.join(", "))
+    // Adding 0 makes a 0 of −0.
+    let numbers = (v + 0.0).to_array().map(|x| x.to_string());
+    format!("({})", numbers.join(", ").replace('-', "−"))
 }
