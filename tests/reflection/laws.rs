@@ -92,6 +92,26 @@ fn ray(origin: Vec3, direction: Vec3) -> Ray {
     Ray { origin, direction }
 }
 
+/// In a sphere of another size, at another place, a ray bounces as in the unit sphere.
+#[test]
+fn a_bounce_inside_a_sphere_moves_and_grows_with_it() {
+    let (centre, radius) = (vec3(1.0, -2.0, 3.0), 2.5);
+    let sphere = Sphere::new(centre, radius).expect("a sphere");
+    for i in 1..100 {
+        let [x, y, z] = harness::evenly(i);
+        let origin = (vec3(x as f32, y as f32, z as f32) - 0.5).normalize();
+        let start = ray(
+            origin,
+            (0.3 * origin.any_orthonormal_vector() - origin).normalize(),
+        );
+        let unit = bounce_inside(&UNIT_SPHERE, &start, reflect);
+        let moved = ray(centre + radius * origin, start.direction);
+        let moved = bounce_inside(&sphere, &moved, reflect);
+        assert!(moved.origin.distance(centre + radius * unit.origin) < 1e-5);
+        assert!(moved.direction.distance(unit.direction) < 1e-5);
+    }
+}
+
 /// From (1, 0, 0) along (−1, 1, 0)/√2 the orbit is a square, and every fourth bounce is back
 /// at the start: at most 10⁻⁴ off up to 12 bounces, and 2·10⁻³ up to 50. Measured: 6·10⁻⁶ and
 /// 1.6·10⁻⁴.
