@@ -1,0 +1,13 @@
+//! Am I right? Compares a reader's picture with the book's, and names what probably went wrong.
+//!
+//! It imports no chapter: it draws the book's pictures by a [`tracer`] of its own, and draws them
+//! once more with every [`fault`] to see which of them differs from the book as the reader's does.
+
+pub mod fault;
+pub mod figures;
+pub mod image;
+pub mod levels;
+pub mod tracer;
+pub mod matching;
+pub mod mutations;
+pub mod report;

@@ -1,0 +1,244 @@
+//! What is said about a picture, on one screen.
+
+use crate::fault::Fault;
+use crate::figures::Figure;
+use crate::image::{self, Image};
+use crate::matching::{Cause, Reference, equal, guess, named};
+use crate::mutations;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+/// A cause is named only if it explains at least this much of the difference.
+pub const BELIEVED: f32 = 0.5;
+/// Other colours are taken for the reader's own from here on.
+const OWN_COLOURS: f32 = 0.75;
+/// The most rays that are traced to count differing pixels.
+const MAX_RAYS: usize = 4_000_000;
+/// The number of pixels at which causes are compared.
+const SAMPLES: usize = 800;
+
+/// What has been found out about a picture.
+pub struct Verdict {
+    /// Whether it is the book's, to the last bit.
+    pub is_equal: bool,
+    /// The name of the book's picture.
+    pub name: String,
+    /// The likely causes, the likeliest first; none that explains too little.
+    pub causes: Vec<Cause>,
+    /// The report, for the terminal.
+    pub text: String,
+}
+
+/// Judges a picture: `told` is the name of the picture that it is meant to be, if that is known.
+///
+/// A heat map is saved in `folder` as `label--heat.png` if the pictures differ. `None` if the book
+/// has no such picture.
+#[must_use]
+pub fn judge(
+    yours: &Image,
+    told: Option<&str>,
+    (figures, book): (&[Figure], &[(String, Image)]),
+    (folder, label): (&Path, &str),
+) -> Option<Verdict> {
+    let equals = equal(yours, book);
+    let reference = match (told, &equals[..]) {
+        (Some(name), _) => named(name, figures, book)?,
+        (None, [name, ..]) => named(name, figures, book)?,
+        (None, []) => guess(yours, figures, book)?,
+    };
+    let mut text = String::new();
+    let verdict = |is_equal, causes, text| {
+        Some(Verdict {
+            is_equal,
+            name: reference.name.to_string(),
+            causes,
+            text,
+        })
+    };
+    if equals.contains(&reference.name) {
+        let _ = writeln!(text, "equal to the book's {}", equals.join(" and "));
+        if let Some(row) = mutations::of(reference.figure.shows) {
+            let _ = writeln!(text, "  which shows a fault on purpose: {}", row.cause);
+            let _ = writeln!(text, "     book/src/{}", row.page);
+            let _ = writeln!(text, "  if it was meant to be another picture, say which: --picture NAME");
+        }
+        return verdict(true, Vec::new(), text);
+    }
+    let comparison = Comparison::new(yours, reference);
+    let [w, h] = reference.book.size;
+    let of_size = if reference.has_size(yours.size) {
+        String::new()
+    } else if reference.figure.is_described() {
+        format!(", which is {w}x{h}: drawn anew at your size")
+    } else {
+        format!(", which is {w}x{h}: scaled to your size, so edges differ")
+    };
+    if comparison.differ == 0 {
+        let _ = writeln!(text, "equal to {}{of_size}", reference.name);
+        return verdict(true, Vec::new(), text);
+    }
+    let how = if told.is_some() { "compared with" } else { "most like" };
+    let _ = writeln!(text, "{how} {}{of_size}", reference.name);
+    text += &comparison.lines();
+    let _ = writeln!(text, "  {}", save_heat_map(yours, reference, folder, label));
+    let observation = reference.observe(yours, if reference.figure.cost() > 4 { SAMPLES / 4 } else { SAMPLES });
+    let mut causes = observation.causes();
+    let own_colours = causes.iter().position(|cause| cause.mutation.is_none());
+    let is_own = own_colours == Some(0) && causes[0].explained >= OWN_COLOURS;
+    causes.retain(|cause| cause.mutation.is_some() && cause.explained >= BELIEVED);
+    if is_own {
+        causes.clear();
+    }
+    causes.truncate(3);
+    let share = f64::from(comparison.differ) / f64::from(comparison.count);
+    if is_own {
+        text += "a picture of your own: some colours are others, and all else is as in the book\n";
+    } else if !causes.is_empty() {
+        text += "the likely causes, the likeliest first:\n";
+        for (i, cause) in causes.iter().enumerate() {
+            let Some(row) = cause.mutation else { continue };
+            let percent = (100.0 * cause.explained).round();
+            let _ = writeln!(text, "  {}. {}", i + 1, row.cause);
+            let besides = if cause.recoloured > 0 { ", with colours of your own" } else { "" };
+            let _ = writeln!(text, "     explains {percent} %{besides}; see book/src/{}", row.page);
+        }
+    } else if share < 0.01 || comparison.worst <= 2 {
+        text += "no cause is known for so little: often it is only another precision, or another order of\nadditions, which moves a few pixels at edges (book/src/mathematics.md#floating-point-in-four-sentences)\n";
+    } else {
+        text += "I do not know this one: it is a picture of your own, or a mistake that is not in my table\n";
+        text += "     see book/src/when-things-go-wrong.md#what-you-see-and-where-to-look\n";
+    }
+    if told.is_none() {
+        text += "if it is meant to be another picture of the book, say which: --picture NAME\n";
+    }
+    verdict(false, causes, text)
+}
+
+/// How many pixels differ, and where.
+struct Comparison {
+    count: u32,
+    differ: u32,
+    worst: u8,
+    worst_at: [u32; 2],
+    levels: [[u8; 3]; 2],
+    /// Of each object: the pixels, and how many of them differ.
+    objects: Vec<(String, u32, u32)>,
+}
+
+impl Comparison {
+    fn new(yours: &Image, reference: Reference) -> Self {
+        let [w, h] = yours.size;
+        let rays = match reference.has_size(yours.size) {
+            true => 1,
+            false => reference.figure.cost(),
+        } * (w * h) as usize;
+        let step = rays.div_ceil(MAX_RAYS);
+        let pixels = (0..w * h).into_par_iter().step_by(step).map(|i| {
+            let at = [i % w, i / w];
+            let [book, yours] = [reference.pixel(at, yours.size), yours.pixel(at)];
+            let worst = (0..3).map(|c| book[c].abs_diff(yours[c])).max().unwrap_or(0);
+            (worst, at, [book, yours])
+        });
+        let pixels: Vec<_> = pixels.collect();
+        let differing = pixels.iter().filter(|(worst, ..)| *worst > 0);
+        // The first of the worst.
+        let found = pixels.iter().rev().max_by_key(|(worst, ..)| *worst);
+        let (worst, worst_at, levels) = found.copied().unwrap_or_default();
+        let mut objects: BTreeMap<_, [u32; 2]> = BTreeMap::new();
+        // A hundredth of the pixels tells where.
+        for (worst, at, _) in pixels.iter().step_by(pixels.len() / 8192 + 1) {
+            let region = reference.figure.region(*at, yours.size);
+            let [all, differ] = objects.entry(region.map(|(index, ..)| index)).or_default();
+            *all += 1;
+            *differ += u32::from(*worst > 0);
+        }
+        let objects = objects.into_iter().map(|(index, [all, differ])| {
+            let name = index.map_or("the sky", |index| reference.figure.object(index));
+            (name.to_string(), all, differ)
+        });
+        Self {
+            count: pixels.len() as u32,
+            differ: differing.count() as u32,
+            worst,
+            worst_at,
+            levels,
+            objects: objects.collect(),
+        }
+    }
+
+    fn lines(&self) -> String {
+        let [book, yours] = self.levels.map(|[r, g, b]| format!("{r}, {g}, {b}"));
+        let [x, y] = self.worst_at;
+        let mut lines = format!(
+            "  {} of {} pixels differ; the worst, at x = {x}, y = {y}, is {book} in the book and {yours} in yours\n",
+            self.differ, self.count
+        );
+        if self.objects.len() > 1 {
+            let mut objects = self.objects.clone();
+            objects.sort_by_key(|(_, all, differ)| std::cmp::Reverse(100 * differ / all));
+            let shares: Vec<_> = objects
+                .iter()
+                .take(6)
+                .map(|(name, all, differ)| format!("{name} {} %", 100 * differ / all))
+                .collect();
+            let _ = writeln!(lines, "  where: {}", shares.join(", "));
+        }
+        lines
+    }
+}
+
+/// Saves the book's picture, the reader's and the differences side by side. Returns the line that
+/// says so.
+fn save_heat_map(yours: &Image, reference: Reference, folder: &Path, label: &str) -> String {
+    let [w, h] = yours.size;
+    let is_cheap = reference.has_size(yours.size)
+        || reference.figure.cost() * (w as usize) * (h as usize) <= MAX_RAYS;
+    if !is_cheap {
+        return "no heat map, as drawing the picture at your size would take long".to_string();
+    }
+    let rows: Vec<_> = (0..h)
+        .into_par_iter()
+        .flat_map_iter(|y| {
+            let book = (0..w).map(move |x| reference.pixel([x, y], [w, h]));
+            let book: Vec<_> = book.collect();
+            let mine: Vec<_> = (0..w).map(|x| yours.pixel([x, y])).collect();
+            let heat: Vec<_> = book.iter().zip(&mine).map(|(&a, &b)| heat(a, b)).collect();
+            [book, mine, heat].concat()
+        })
+        .collect();
+    let map = Image {
+        size: [3 * w, h],
+        levels: rows,
+    };
+    let path = folder.join(format!("{label}--heat.png"));
+    match fs::create_dir_all(folder).and_then(|()| image::write(&path, &map)) {
+        Ok(()) => format!("heat map: {} (the book's | yours | what differs)", path.display()),
+        Err(error) => format!("the heat map cannot be saved as {}: {error}", path.display()),
+    }
+}
+
+/// Returns black for equal pixels, and from red over yellow to white for the worse.
+fn heat(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
+    let worst = (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
+    match u16::from(worst) {
+        0 => [0; 3],
+        // Even a difference of one level must be seen.
+        worst => [
+            (96 + 4 * worst).min(255) as u8,
+            (2 * worst).min(255) as u8,
+            (2 * worst).saturating_sub(255).min(255) as u8,
+        ],
+    }
+}
+
+/// Returns the name of the fault that a picture of the book shows on purpose.
+#[must_use]
+pub fn shown(figure: &Figure) -> Option<&'static str> {
+    match figure.shows {
+        Fault::None => None,
+        fault => mutations::of(fault).map(|row| row.name),
+    }
+}

@@ -1,0 +1,44 @@
+//! The small tracer draws the book's pictures.
+
+use check::fault::Fault;
+use check::figures::figures;
+use check::image::book;
+use rayon::prelude::*;
+
+/// Every picture that is described is the book's: all but a few of its pixels are equal.
+#[test]
+fn the_small_tracer_draws_the_pictures_of_the_book() {
+    let pictures = book().expect("the book's pictures");
+    let figures = figures(pictures.clone());
+    let lines: Vec<_> = pictures
+        .par_iter()
+        .filter_map(|(name, picture)| {
+            let figure = figures.iter().find(|figure| figure.names.contains(name))?;
+            if !figure.is_described() {
+                return None;
+            }
+            let [w, h] = picture.size;
+            // Every pixel of the small ones, and some tens of thousands of rays of the others.
+            let step = (figure.cost() as u32).max(w * h / 76_800) | 1;
+            let all = (0..w * h).step_by(step as usize);
+            let mut count = 0;
+            let mut differ = 0;
+            let mut worst = 0;
+            for i in all {
+                let at = [i % w, i / w];
+                let [a, b] = [picture.pixel(at), figure.pixel(at, picture.size, Fault::None)];
+                count += 1;
+                differ += u32::from(a != b);
+                worst = worst.max((0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0));
+            }
+            Some((name.clone(), f64::from(differ) / f64::from(count), worst))
+        })
+        .collect();
+    for (name, share, worst) in &lines {
+        if *share > 0.0 {
+            println!("{name}: {share:.5} worst {worst}");
+        }
+    }
+    println!("{} described", lines.len());
+    assert!(lines.iter().all(|line| line.1 < 0.002));
+}

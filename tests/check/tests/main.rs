@@ -1,0 +1,4 @@
+//! The tests of `check`.
+
+
+mod rates;
