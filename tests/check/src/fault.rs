@@ -5,7 +5,10 @@ use glam::Vec2;
 /// One mistake of a tracer. [`tracer`](crate::tracer) and [`figures`](crate::figures) draw every
 /// picture as if it had been made.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(missing_docs, reason = "the table of mutations says of each what it is")]
+#[expect(
+    missing_docs,
+    reason = "the table of mutations says of each what it is"
+)]
 pub enum Fault {
     None,
 
@@ -53,8 +56,11 @@ pub enum Fault {
     Truncated(f64),
     Wraps,
     Channels([usize; 3]),
-    Grey,
+    /// The mean of the levels, or their luma.
+    Grey([f32; 3]),
     Negative,
+    Black,
+    Brighter(f32),
     ToneMapped,
     /// The scene's colours are taken for sRGB, and decoded.
     ColoursDecoded,
@@ -68,12 +74,10 @@ pub enum Fault {
     LastInList,
     FirstInList,
     Farthest,
-    HorizonSwapped,
     TextbookSphere,
     NormalInward,
     NormalNotNormalized,
     NormalFromOrigin,
-    NormalNotHalved,
     OneSidedPlane,
     NoFloor,
     CheckerParity,
@@ -91,7 +95,6 @@ pub enum Fault {
     NoBias,
     Bias(f32),
     BiasInward,
-    ShadowIgnoresSpheres,
     AnyShadowIsAll,
     LightsSwapped,
     LightMissing(usize),
@@ -158,6 +161,7 @@ pub enum Fault {
     ConstantReflectance(f32),
     FresnelSwapped,
     TransmitsAll,
+    EqualIndicesSparkle,
     FresnelAverage,
     AbsorbsAtSurface,
     AbsorbsTwice,
@@ -166,12 +170,35 @@ pub enum Fault {
     AbsorbsBaseTen,
     AbsorbsLinearly,
     Alone,
+    PlaneWithoutInside,
 
     // Samples.
     OneSample,
     Corners,
     MeanOfLevels,
     ClampedSamples,
+    UnclampedSamples,
+    NotJittered,
+    AdaptiveSamples,
     WidePixel(f32),
     FewerSamples,
+}
+
+impl Fault {
+    /// Returns the same fault, stronger or weaker by some factor. `None` if it has no strength.
+    #[must_use]
+    pub fn scaled(self, by: f32) -> Option<Self> {
+        Some(match self {
+            Self::FocalTimes(x) => Self::FocalTimes(x * by),
+            Self::Gamma(x) => Self::Gamma(x * by),
+            Self::Brighter(x) => Self::Brighter(x * by),
+            Self::RadiusTimes(x) => Self::RadiusTimes(x * by),
+            Self::Bias(x) => Self::Bias(x * by),
+            Self::ShininessTimes(x) => Self::ShininessTimes(x * by),
+            Self::IndexOther(x) => Self::IndexOther(x * by),
+            Self::ConstantReflectance(x) => Self::ConstantReflectance(x * by),
+            Self::WidePixel(x) => Self::WidePixel(x * by),
+            _ => return None,
+        })
+    }
 }

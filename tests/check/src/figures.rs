@@ -3,11 +3,14 @@
 use crate::fault::Fault;
 use crate::image::Image;
 use crate::levels::{decode, levels};
-use crate::tracer::{Level, Material, Object, Optics, Ray, Region, Scene, Shape, Texture, Tracer};
+use crate::tracer::{
+    Level, Material, Object, Optics, Ray, Region, Scene, Shape, Texture, Tracer,
+};
 use glam::{Vec2, Vec3, vec3};
 use std::path::PathBuf;
 
 /// A picture of the book.
+#[derive(Clone)]
 pub struct Figure {
     /// Its name, `06-reflection--bouncing--knob-2`, and those of other figures of the same thing.
     pub names: Vec<String>,
@@ -19,22 +22,30 @@ pub struct Figure {
     pub shows: Fault,
 }
 
+#[derive(Clone)]
 enum What {
     Gradient,
     HalfLight,
     Directions,
     SkyAndGround,
-    FirstSphere { is_normal: bool },
+    FirstSphere {
+        is_normal: bool,
+    },
     FromAfar,
     CheckeredFloor,
     Scene(Scene),
-    InsideSphere { bounces: u32 },
+    InsideSphere {
+        bounces: u32,
+    },
     Reflectance(Scene),
     Dots,
     Lamp,
     /// Known by its pixels alone.
     Stored(Image),
 }
+
+/// What has a colour of its own: an object's even or odd squares. `None` is the sky.
+pub type Part = Option<(usize, bool)>;
 
 /// An eye, and what it looks along.
 #[derive(Clone, Copy)]
@@ -107,7 +118,8 @@ fn image_point(at: Vec2, size: [u32; 2], fault: Fault) -> Vec2 {
         Fault::FitsWidth => from_middle / half.x,
         Fault::SizeLessOne => {
             let at = (at - 0.5) / (size - 1.0);
-            Vec2::new(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * Vec2::new(half.x / half.y, 1.0)
+            Vec2::new(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y)
+                * Vec2::new(half.x / half.y, 1.0)
         }
         _ => from_middle / half.y,
     }
@@ -131,7 +143,9 @@ impl Figure {
     #[must_use]
     pub fn cost(&self) -> usize {
         match self.sampler {
-            Sampler::Regular(n) | Sampler::Jittered(n) | Sampler::Clamped(n) => (n * n) as usize,
+            Sampler::Regular(n) | Sampler::Jittered(n) | Sampler::Clamped(n) => {
+                (n * n) as usize
+            }
             Sampler::Adaptive(n) => 4 + (n * n / 4) as usize,
         }
     }
@@ -140,7 +154,11 @@ impl Figure {
     /// is the figure as it is in the book.
     #[must_use]
     pub fn pixel(&self, [x, y]: [u32; 2], size: [u32; 2], fault: Fault) -> [u8; 3] {
-        let fault = if fault == Fault::None { self.shows } else { fault };
+        let fault = if fault == Fault::None {
+            self.shows
+        } else {
+            fault
+        };
         let [w, h] = size;
         let [x, y] = match fault {
             Fault::FlipX => [w - 1 - x, y],
@@ -169,6 +187,59 @@ impl Figure {
         tracer.region(&self.camera.ray(point, Fault::None))
     }
 
+    /// Returns the same figure from an eye elsewhere, which looks elsewhere.
+    #[must_use]
+    pub fn from_elsewhere(&self, eye: Vec3, forward: Vec3) -> Self {
+        let mut figure = self.clone();
+        figure.camera.eye += eye;
+        figure.camera.forward += forward;
+        figure
+    }
+
+    /// Returns the same figure with another colour of one object; the squares of a checkered one
+    /// are this colour and a tenth of it. `None` if there is no such object.
+    #[must_use]
+    pub fn in_colour(&self, object: usize, colour: Vec3) -> Option<Self> {
+        let mut figure = self.clone();
+        let What::Scene(scene) = &mut figure.what else {
+            return None;
+        };
+        let material = &mut scene.objects.get_mut(object)?.material;
+        material.colour = match material.colour {
+            Texture::Solid(_) => Texture::Solid(colour),
+            Texture::Checker(..) => Texture::Checker(0.1 * colour, colour),
+        };
+        Some(figure)
+    }
+
+    /// Returns the same figure with the colours of some of its [`parts`](Self::region) multiplied:
+    /// of an object's even or odd squares, or of the sky. `None` if the figure has no scene.
+    #[must_use]
+    pub fn with_colours(&self, ratios: &[(Part, Vec3)]) -> Option<Self> {
+        let mut figure = self.clone();
+        let What::Scene(scene) = &mut figure.what else {
+            return None;
+        };
+        for &(part, ratio) in ratios {
+            let Some((index, is_odd)) = part else {
+                scene.background *= ratio;
+                continue;
+            };
+            match &mut scene.objects.get_mut(index)?.material.colour {
+                Texture::Solid(colour) => *colour *= ratio,
+                Texture::Checker(_, odd) if is_odd => *odd *= ratio,
+                Texture::Checker(even, _) => *even *= ratio,
+            }
+        }
+        Some(figure)
+    }
+
+    /// Returns whether the figure has objects whose colours may be others.
+    #[must_use]
+    pub fn has_scene(&self) -> bool {
+        matches!(self.what, What::Scene(_))
+    }
+
     /// Returns the name of an object of the scene.
     #[must_use]
     pub fn object(&self, index: usize) -> &'static str {
@@ -184,13 +255,14 @@ impl Figure {
         let light = |in_pixel: Vec2| {
             let at = match fault {
                 Fault::WidePixel(width) => corner + 0.5 + width * (in_pixel - 0.5),
+                Fault::PixelPoint(point) => corner + in_pixel + point - 0.5,
                 _ => corner + in_pixel,
             };
             self.light(image_point(at, size, fault), [x, y], size, fault)
         };
         let n = match (self.sampler, fault) {
             (_, Fault::OneSample) => 1,
-            (Sampler::Regular(n), Fault::FewerSamples) => n / 2,
+            (Sampler::Regular(n), Fault::FewerSamples) if n > 1 => n / 2,
             (
                 Sampler::Regular(n)
                 | Sampler::Jittered(n)
@@ -199,15 +271,11 @@ impl Figure {
                 _,
             ) => n,
         };
-        if let Fault::PixelPoint(point) = fault
-            && n == 1
-        {
-            return light(point);
-        }
         let jittered = |n: u32| {
             let samples = (0..n * n).map(|i| {
                 let a = hash(x ^ hash(y ^ hash(i)));
-                let position = Vec2::new((a >> 8) as f32, (hash(a) >> 8) as f32) / (1 << 24) as f32;
+                let position =
+                    Vec2::new((a >> 8) as f32, (hash(a) >> 8) as f32) / (1 << 24) as f32;
                 let cell = Vec2::new((i % n) as f32, (i / n) as f32);
                 let in_pixel = (cell + position) / n as f32;
                 // The rows of cells go up.
@@ -216,8 +284,7 @@ impl Figure {
             samples.collect::<Vec<_>>()
         };
         let in_cell = match fault {
-            Fault::PixelPoint(point) => point,
-            Fault::Corners => Vec2::ZERO,
+            Fault::Corners if n > 1 => Vec2::ZERO,
             _ => Vec2::splat(0.5),
         };
         let regular = || {
@@ -227,26 +294,33 @@ impl Figure {
             });
             samples.collect::<Vec<_>>()
         };
-        let mut samples = match self.sampler {
-            _ if matches!(fault, Fault::OneSample | Fault::Corners) => regular(),
-            Sampler::Regular(_) | Sampler::Clamped(_) => regular(),
-            Sampler::Jittered(_) => jittered(n),
-            Sampler::Adaptive(_) => {
-                let first = jittered(2);
-                let levels: Vec<_> = first.iter().map(|&l| levels(l, Fault::None)).collect();
-                let differ = (0..3).any(|c| {
-                    let of = levels.iter().map(|level| level[c]);
-                    of.clone().max() > of.min().map(|least| least.saturating_add(8))
-                });
-                if differ { jittered(n) } else { first }
-            }
+        let adaptive = || {
+            let first = jittered(2);
+            let levels: Vec<_> = first.iter().map(|&l| levels(l, Fault::None)).collect();
+            let differ = (0..3).any(|c| {
+                let of = levels.iter().map(|level| level[c]);
+                of.clone().max() > of.min().map(|least| least.saturating_add(8))
+            });
+            if differ { jittered(n) } else { first }
         };
-        if matches!(self.sampler, Sampler::Clamped(_)) || fault == Fault::ClampedSamples {
-            samples.iter_mut().for_each(|sample| *sample = sample.min(Vec3::ONE));
+        let mut samples = match (self.sampler, fault) {
+            (_, Fault::OneSample | Fault::Corners | Fault::NotJittered) => regular(),
+            (Sampler::Regular(8..), Fault::AdaptiveSamples) => adaptive(),
+            (Sampler::Regular(_) | Sampler::Clamped(_), _) => regular(),
+            (Sampler::Jittered(_), _) => jittered(n),
+            (Sampler::Adaptive(_), _) => adaptive(),
+        };
+        let is_clamped = matches!(self.sampler, Sampler::Clamped(_))
+            && fault != Fault::UnclampedSamples;
+        if is_clamped || fault == Fault::ClampedSamples {
+            samples
+                .iter_mut()
+                .for_each(|sample| *sample = sample.min(Vec3::ONE));
         }
         let count = samples.len() as f32;
         if fault == Fault::MeanOfLevels {
-            let encoded = |&light: &Vec3| Vec3::from(levels(light, Fault::None).map(f32::from));
+            let encoded =
+                |&light: &Vec3| Vec3::from(levels(light, Fault::None).map(f32::from));
             let mean = samples.iter().map(encoded).sum::<Vec3>() / count;
             return mean.map(|level| decode(f64::from(level.round()) / 255.0) as f32);
         }
@@ -260,7 +334,9 @@ impl Figure {
             What::Stored(image) => {
                 let [w, h] = image.size;
                 let at = [x * w / size[0], y * h / size[1]];
-                Vec3::from_array(image.pixel(at).map(|l| decode(f64::from(l) / 255.0) as f32))
+                Vec3::from_array(
+                    image.pixel(at).map(|l| decode(f64::from(l) / 255.0) as f32),
+                )
             }
             What::Gradient => {
                 let right = (x as f32 + 0.5) / size[0] as f32;
@@ -299,10 +375,16 @@ impl Figure {
                 let tracer = Tracer::new(&scene, fault);
                 let is_odd = tracer.is_even(Vec2::new(point.x, point.z), point);
                 // In space the cubes at the odd height −1 have changed places.
-                if is_odd != (fault == Fault::CheckerInSpace) { LIGHT } else { DARK }
+                if is_odd != (fault == Fault::CheckerInSpace) {
+                    LIGHT
+                } else {
+                    DARK
+                }
             }
             What::Scene(scene) => Tracer::new(scene, fault).trace(&ray()),
-            What::Reflectance(scene) => Tracer::new(scene, fault).reflectance_seen(&ray(), BACKDROP),
+            What::Reflectance(scene) => {
+                Tracer::new(scene, fault).reflectance_seen(&ray(), BACKDROP)
+            }
             What::InsideSphere { bounces } => inside_sphere(&ray(), *bounces, fault),
             What::Dots => {
                 let apart = 8.3 * (2.0 / 240.0);
@@ -360,12 +442,20 @@ fn inside_sphere(ray: &Ray, bounces: u32, fault: Fault) -> Vec3 {
     let colour = (origin + Vec3::ONE) / 2.0;
     let uv = 6.0 * Vec2::new(origin.x, origin.y);
     let tracer = Tracer::new(&scene, fault);
-    if tracer.is_even(uv, origin) { colour } else { 0.6 * colour }
+    if tracer.is_even(uv, origin) {
+        colour
+    } else {
+        0.6 * colour
+    }
 }
 
 // Materials and scenes.
 
-fn phong(colour: Texture, [ambient, diffuse, specular]: [f32; 3], shininess: u32) -> Material {
+fn phong(
+    colour: Texture,
+    [ambient, diffuse, specular]: [f32; 3],
+    shininess: u32,
+) -> Material {
     Material {
         colour,
         ambient,
@@ -385,7 +475,12 @@ fn grey(value: f32) -> Texture {
     Texture::Solid(Vec3::splat(value))
 }
 
-fn sphere(name: &'static str, [x, y, z]: [f32; 3], radius: f32, material: Material) -> Object {
+fn sphere(
+    name: &'static str,
+    [x, y, z]: [f32; 3],
+    radius: f32,
+    material: Material,
+) -> Object {
     let shape = Shape::Sphere {
         centre: vec3(x, y, z),
         radius,
@@ -442,10 +537,20 @@ fn still_life(level: Level) -> Scene {
     Scene {
         objects: vec![
             plane("the floor", Vec3::ZERO, Vec3::Y, floor),
-            sphere("the red ball", [-2.2, 0.8, 1.0], 0.8, plastic(solid(0.9, 0.15, 0.1), 0.5, 50)),
+            sphere(
+                "the red ball",
+                [-2.2, 0.8, 1.0],
+                0.8,
+                plastic(solid(0.9, 0.15, 0.1), 0.5, 50),
+            ),
             sphere("the mirror ball", [0.2, 1.2, 2.0], 1.2, mirror),
             sphere("the green ball", [2.3, 0.7, 0.6], 0.7, green),
-            sphere("the blue ball", [-0.8, 0.4, -1.0], 0.4, plastic(solid(0.15, 0.2, 0.9), 0.8, 100)),
+            sphere(
+                "the blue ball",
+                [-0.8, 0.4, -1.0],
+                0.4,
+                plastic(solid(0.15, 0.2, 0.9), 0.8, 100),
+            ),
             sphere("the glass ball", [0.9, 0.6, -1.2], 0.6, glass),
         ],
         lights: vec![(vec3(-5.0, 7.0, -6.0), 0.6), (vec3(4.0, 6.0, -4.0), 0.4)],
@@ -462,7 +567,10 @@ fn with_glass(mut scene: Scene, [inside, outside]: [f32; 2]) -> Scene {
 }
 
 fn with_materials(mut scene: Scene, change: impl Fn(&mut Material)) -> Scene {
-    scene.objects.iter_mut().for_each(|object| change(&mut object.material));
+    scene
+        .objects
+        .iter_mut()
+        .for_each(|object| change(&mut object.material));
     scene
 }
 
@@ -478,7 +586,12 @@ fn light_between_balls() -> Scene {
     };
     Scene {
         objects: vec![
-            plane("the floor", Vec3::ZERO, Vec3::Y, phong(grey(0.7), [0.0; 3], 1)),
+            plane(
+                "the floor",
+                Vec3::ZERO,
+                Vec3::Y,
+                phong(grey(0.7), [0.0; 3], 1),
+            ),
             ball("the lower ball", 0.5, 0.9, 0.3, 0.05),
             ball("the upper ball", 3.0, 0.1, 0.5, 0.6),
         ],
@@ -496,10 +609,20 @@ fn facing_mirrors(depth: u32) -> Scene {
     };
     Scene {
         objects: vec![
-            plane("the floor", Vec3::ZERO, Vec3::Y, plain(Texture::Checker(DARK, LIGHT))),
+            plane(
+                "the floor",
+                Vec3::ZERO,
+                Vec3::Y,
+                plain(Texture::Checker(DARK, LIGHT)),
+            ),
             wall("the left mirror", -3.0),
             wall("the right mirror", 3.0),
-            sphere("the ball", [0.0, 0.8, 0.3], 0.8, plain(solid(0.9, 0.15, 0.1))),
+            sphere(
+                "the ball",
+                [0.0, 0.8, 0.3],
+                0.8,
+                plain(solid(0.9, 0.15, 0.1)),
+            ),
         ],
         lights: vec![(vec3(0.5, 5.0, -2.0), 0.9)],
         depth,
@@ -521,9 +644,19 @@ fn planet(scale: f32) -> Scene {
     let blue = plastic(solid(0.15, 0.2, 0.9), 0.0);
     Scene {
         objects: vec![
-            ball("the planet", [0.0, -2000.0, 0.0], 1000.0, plastic(grey(0.6), 0.0)),
+            ball(
+                "the planet",
+                [0.0, -2000.0, 0.0],
+                1000.0,
+                plastic(grey(0.6), 0.0),
+            ),
             ball("the large ball", [0.0, 0.0, 1.2], 1.0, red),
-            ball("the mirror ball", [-1.4, 0.0, 0.0], 0.5, plastic(grey(0.1), 0.8)),
+            ball(
+                "the mirror ball",
+                [-1.4, 0.0, 0.0],
+                0.5,
+                plastic(grey(0.1), 0.8),
+            ),
             ball("the small ball", [0.5, 0.0, -1.4], 0.05, blue),
             ball("the tiny ball", [0.4, 0.0, -1.45], 0.005, blue),
             ball("the hovering ball", [0.7, 0.002, -1.5], 0.05, red),
@@ -534,7 +667,9 @@ fn planet(scale: f32) -> Scene {
 }
 
 fn pool() -> Scene {
-    let surface = |colour, diffuse: f32, specular| phong(colour, [0.1 * diffuse, diffuse, specular], 200);
+    let surface = |colour, diffuse: f32, specular| {
+        phong(colour, [0.1 * diffuse, diffuse, specular], 200)
+    };
     let clear = |inside, absorption| {
         let mut material = surface(grey(1.0), 0.0, 0.8);
         material.optics = Optics::Glass {
@@ -550,7 +685,12 @@ fn pool() -> Scene {
     Scene {
         objects: vec![
             plane("the ground", Vec3::NEG_Y, Vec3::Y, surface(tiles, 0.8, 0.0)),
-            sphere("the red ball", [-1.7, -0.5, 1.2], 0.5, surface(solid(0.9, 0.15, 0.1), 0.8, 0.0)),
+            sphere(
+                "the red ball",
+                [-1.7, -0.5, 1.2],
+                0.5,
+                surface(solid(0.9, 0.15, 0.1), 0.8, 0.0),
+            ),
             plane("the water", Vec3::ZERO, Vec3::Y, water),
             sphere("the ice", [-0.5, 0.0, -0.4], 0.6, clear(1.31, Vec3::ZERO)),
             sphere("the glass ball", [0.9, -0.3, 0.0], 0.7, clear(1.5, amber)),
@@ -594,50 +734,133 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
         });
     };
     let one = Sampler::Regular(1);
-    let mut add = |names: &str, what, camera| add_shown(names, what, camera, one, Fault::None);
+    let mut add =
+        |names: &str, what, camera| add_shown(names, what, camera, one, Fault::None);
     add("00-canvas--gradient", What::Gradient, still);
     add("00-canvas--half-light", What::HalfLight, still);
-    add("01-ray-casting--directions 13-interactive--ray-casting", What::Directions, still);
-    add("01-ray-casting--directions--knob-0_5", What::Directions, focused(0.5));
+    add(
+        "01-ray-casting--directions 13-interactive--ray-casting",
+        What::Directions,
+        still,
+    );
+    add(
+        "01-ray-casting--directions--knob-0_5",
+        What::Directions,
+        focused(0.5),
+    );
     add("01-ray-casting--sky-and-ground", What::SkyAndGround, still);
-    add("01-ray-casting--sky-and-ground--knob-0_5", What::SkyAndGround, focused(0.5));
-    add("02-sphere-hit--flat 13-interactive--sphere-hit", What::FirstSphere { is_normal: false }, still);
-    add("02-sphere-hit--normals", What::FirstSphere { is_normal: true }, still);
+    add(
+        "01-ray-casting--sky-and-ground--knob-0_5",
+        What::SkyAndGround,
+        focused(0.5),
+    );
+    add(
+        "02-sphere-hit--flat 13-interactive--sphere-hit",
+        What::FirstSphere { is_normal: false },
+        still,
+    );
+    add(
+        "02-sphere-hit--normals",
+        What::FirstSphere { is_normal: true },
+        still,
+    );
     let scene = |level| What::Scene(still_life(level));
-    add("03-plane-hit--flat 13-interactive--plane-hit", scene(Level::Flat), still);
-    add("03-plane-hit--checker-in-plane", What::CheckeredFloor, still);
-    add("04-shadows--hard 13-interactive--shadows", scene(Level::Shadows), still);
+    add(
+        "03-plane-hit--flat 13-interactive--plane-hit",
+        scene(Level::Flat),
+        still,
+    );
+    add(
+        "03-plane-hit--checker-in-plane",
+        What::CheckeredFloor,
+        still,
+    );
+    add(
+        "04-shadows--hard 13-interactive--shadows",
+        scene(Level::Shadows),
+        still,
+    );
     let between = look(vec3(0.0, 2.5, -8.0), vec3(0.3, 1.5, 0.0), 3.0);
-    add("04-shadows--beyond", What::Scene(light_between_balls()), between);
-    add("05-shading--combined 13-interactive--shading", scene(Level::Shaded), still);
+    add(
+        "04-shadows--beyond",
+        What::Scene(light_between_balls()),
+        between,
+    );
+    add(
+        "05-shading--combined 13-interactive--shading",
+        scene(Level::Shaded),
+        still,
+    );
     let changed = |change: fn(&mut Material)| {
         What::Scene(with_materials(still_life(Level::Shaded), change))
     };
-    add("05-shading--ambient", changed(|m| (m.diffuse, m.specular) = (0.0, 0.0)), still);
-    add("05-shading--diffuse", changed(|m| (m.ambient, m.specular) = (0.0, 0.0)), still);
-    for (name, n) in [("", 50), ("--knob-1", 1), ("--knob-10", 10), ("--knob-200", 200)] {
+    add(
+        "05-shading--ambient",
+        changed(|m| (m.diffuse, m.specular) = (0.0, 0.0)),
+        still,
+    );
+    add(
+        "05-shading--diffuse",
+        changed(|m| (m.ambient, m.specular) = (0.0, 0.0)),
+        still,
+    );
+    for (name, n) in [
+        ("", 50),
+        ("--knob-1", 1),
+        ("--knob-10", 10),
+        ("--knob-200", 200),
+    ] {
         let scene = with_materials(still_life(Level::Shaded), |m| {
             (m.ambient, m.diffuse, m.shininess) = (0.0, 0.0, n);
         });
-        add(&format!("05-shading--specular{name}"), What::Scene(scene), still);
+        add(
+            &format!("05-shading--specular{name}"),
+            What::Scene(scene),
+            still,
+        );
     }
-    add("06-reflection--bouncing 13-interactive--reflection", scene(Level::Mirrors), still);
-    for (name, depth) in [("bouncing--knob-0", 0), ("one-bounce", 1), ("bouncing--knob-2", 2)] {
+    add(
+        "06-reflection--bouncing 13-interactive--reflection",
+        scene(Level::Mirrors),
+        still,
+    );
+    for (name, depth) in [
+        ("bouncing--knob-0", 0),
+        ("one-bounce", 1),
+        ("bouncing--knob-2", 2),
+    ] {
         let scene = with_depth(still_life(Level::Mirrors), depth);
         add(&format!("06-reflection--{name}"), What::Scene(scene), still);
     }
     let between_mirrors = look(vec3(2.7, 1.9, -1.6), vec3(-3.0, 0.9, 0.7), 1.5);
     for (name, depth) in [("", 64), ("--knob-5", 5), ("--knob-20", 20)] {
         let what = What::Scene(facing_mirrors(depth));
-        add(&format!("06-reflection--facing-mirrors{name}"), what, between_mirrors);
+        add(
+            &format!("06-reflection--facing-mirrors{name}"),
+            what,
+            between_mirrors,
+        );
     }
     let glass = |level, indices| What::Scene(with_glass(still_life(level), indices));
-    add("07-refraction--glass 13-interactive--refraction", scene(Level::Refracts), still);
-    for (name, index) in [("", 1.5), ("--knob-1", 1.0), ("--knob-1_33", 1.33), ("--knob-2_42", 2.42)] {
+    add(
+        "07-refraction--glass 13-interactive--refraction",
+        scene(Level::Refracts),
+        still,
+    );
+    for (name, index) in [
+        ("", 1.5),
+        ("--knob-1", 1.0),
+        ("--knob-1_33", 1.33),
+        ("--knob-2_42", 2.42),
+    ] {
         let what = glass(Level::Refracts, [index, 1.0]);
         add(&format!("07-refraction--ball{name}"), what, close);
     }
-    add("07-refraction--bubble", glass(Level::Refracts, [1.0, 1.5]), close);
+    add(
+        "07-refraction--bubble",
+        glass(Level::Refracts, [1.0, 1.5]),
+        close,
+    );
     add(
         "08-fresnel--still-life 13-interactive--fresnel",
         scene(Level::Reflects),
@@ -652,34 +875,60 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
         let what = glass(Level::Reflects, [index, 1.0]);
         add(&format!("08-fresnel--still-life{name}"), what, still);
     }
-    let reflectance = |indices| What::Reflectance(with_glass(still_life(Level::Reflects), indices));
+    let reflectance =
+        |indices| What::Reflectance(with_glass(still_life(Level::Reflects), indices));
     for (name, index) in [("", 1.5), ("--knob-1_33", 1.33), ("--knob-2_42", 2.42)] {
         let what = reflectance([index, 1.0]);
         add(&format!("08-fresnel--reflectance{name}"), what, close);
     }
     add("08-fresnel--leaving", reflectance([1.0, 1.5]), close);
-    for (name, scale) in [("", 1.0), ("--knob-0_001", 1e-3), ("--knob-1000", 1e3), ("--knob-1000000", 1e6)] {
+    for (name, scale) in [
+        ("", 1.0),
+        ("--knob-0_001", 1e-3),
+        ("--knob-1000", 1e3),
+        ("--knob-1000000", 1e6),
+    ] {
         let planet = planet(scale);
         let mut camera = look(vec3(0.4, 0.9, -3.6), vec3(-0.1, 0.35, 0.0), 2.0);
         camera.eye *= scale;
-        add(&format!("10-shadow-acne--from-surface{name}"), What::Scene(planet), camera);
+        add(
+            &format!("10-shadow-acne--from-surface{name}"),
+            What::Scene(planet),
+            camera,
+        );
     }
     for (name, times) in [("", 1.0), ("--knob-0", 0.0), ("--knob-4", 4.0)] {
         let amber = || {
-            What::Scene(with_materials(still_life(Level::Absorbs), |m| m.absorption *= times))
+            What::Scene(with_materials(still_life(Level::Absorbs), |m| {
+                m.absorption *= times
+            }))
         };
-        add(&format!("11-transparency--still-life{name}"), amber(), still);
+        add(
+            &format!("11-transparency--still-life{name}"),
+            amber(),
+            still,
+        );
         add(&format!("11-transparency--ball{name}"), amber(), close);
     }
     let above_pool = look(vec3(0.1, 1.7, -4.0), vec3(0.05, -0.15, 0.0), 3.4);
-    add("11-transparency--displaced", What::Scene(pool()), above_pool);
+    add(
+        "11-transparency--displaced",
+        What::Scene(pool()),
+        above_pool,
+    );
 
     for n in [4, 1, 2, 10, 20] {
         let name = match n {
             4 => "09-anti-aliasing--grid".to_string(),
             n => format!("09-anti-aliasing--grid--knob-{n}"),
         };
-        add_shown(&name, scene(Level::Reflects), still, Sampler::Regular(n), Fault::None);
+        add_shown(
+            &name,
+            scene(Level::Reflects),
+            still,
+            Sampler::Regular(n),
+            Fault::None,
+        );
     }
     add_shown(
         "12-packets--still-life--knob-4 13-interactive--still-life",
@@ -694,10 +943,26 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
         What::Scene(scene)
     };
     let mut sampled = |name: &str, what, camera, sampler| {
-        add_shown(&format!("09-anti-aliasing--{name}"), what, camera, sampler, Fault::None);
+        add_shown(
+            &format!("09-anti-aliasing--{name}"),
+            what,
+            camera,
+            sampler,
+            Fault::None,
+        );
     };
-    sampled("jittered", scene(Level::Reflects), still, Sampler::Jittered(4));
-    sampled("adaptive", scene(Level::Reflects), still, Sampler::Adaptive(8));
+    sampled(
+        "jittered",
+        scene(Level::Reflects),
+        still,
+        Sampler::Jittered(4),
+    );
+    sampled(
+        "adaptive",
+        scene(Level::Reflects),
+        still,
+        Sampler::Adaptive(8),
+    );
     sampled("horizon-grid", floor(), horizon, Sampler::Regular(4));
     sampled("horizon-jittered", floor(), horizon, Sampler::Jittered(4));
     sampled("light", floor(), horizon, Sampler::Regular(8));
@@ -715,31 +980,90 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
             focal: 0.8 * (to_centre * to_centre - 1.0).sqrt(),
         }
     };
-    for (name, distance) in [("", 1e3), ("--knob-10", 10.0), ("--knob-100", 100.0), ("--knob-10000", 1e4), ("--knob-1000000", 1e6)] {
-        for (view, shows) in [("stable", Fault::None), ("textbook", Fault::TextbookSphere)] {
+    for (name, distance) in [
+        ("", 1e3),
+        ("--knob-10", 10.0),
+        ("--knob-100", 100.0),
+        ("--knob-10000", 1e4),
+        ("--knob-1000000", 1e6),
+    ] {
+        for (view, shows) in
+            [("stable", Fault::None), ("textbook", Fault::TextbookSphere)]
+        {
             let name = format!("02-sphere-hit--far-{view}{name}");
             add_shown(&name, What::FromAfar, afar(distance), one, shows);
         }
     }
-    add_shown("03-plane-hit--checker-in-space", What::CheckeredFloor, still, one, Fault::CheckerInSpace);
-    add_shown("04-shadows--none", scene(Level::Shadows), still, one, Fault::NoShadows);
-    add_shown("04-shadows--beyond-buggy", What::Scene(light_between_balls()), between, one, Fault::BeyondLight);
+    add_shown(
+        "03-plane-hit--checker-in-space",
+        What::CheckeredFloor,
+        still,
+        one,
+        Fault::CheckerInSpace,
+    );
+    add_shown(
+        "04-shadows--none",
+        scene(Level::Shadows),
+        still,
+        one,
+        Fault::NoShadows,
+    );
+    add_shown(
+        "04-shadows--beyond-buggy",
+        What::Scene(light_between_balls()),
+        between,
+        one,
+        Fault::BeyondLight,
+    );
     let inside = Camera {
         eye: vec3(0.0, 0.0, -0.6),
         forward: Vec3::Z,
         focal: 1.0,
     };
-    for (name, bounces) in [("", 6), ("--knob-3", 3), ("--knob-5", 5), ("--knob-10", 10)] {
-        for (view, shows) in [("stable", Fault::None), ("textbook", Fault::MirrorUnnormalized)] {
+    for (name, bounces) in [("", 6), ("--knob-3", 3), ("--knob-5", 5), ("--knob-10", 10)]
+    {
+        for (view, shows) in [
+            ("stable", Fault::None),
+            ("textbook", Fault::MirrorUnnormalized),
+        ] {
             let name = format!("06-reflection--inside-{view}{name}");
             add_shown(&name, What::InsideSphere { bounces }, inside, one, shows);
         }
     }
-    add_shown("07-refraction--failed-ratio", glass(Level::Refracts, [1.5, 1.0]), close, one, Fault::RatioSame);
-    add_shown("07-refraction--failed-total", glass(Level::Refracts, [1.0, 1.5]), close, one, Fault::TotalBlack);
-    add_shown("08-fresnel--leaving-schlick", reflectance([1.0, 1.5]), close, one, Fault::SchlickWrongCosine);
-    add_shown("09-anti-aliasing--levels", floor(), horizon, Sampler::Regular(8), Fault::MeanOfLevels);
-    for (name, scale) in [("", 1.0), ("--knob-0_001", 1e-3), ("--knob-1000", 1e3), ("--knob-1000000", 1e6)] {
+    add_shown(
+        "07-refraction--failed-ratio",
+        glass(Level::Refracts, [1.5, 1.0]),
+        close,
+        one,
+        Fault::RatioSame,
+    );
+    add_shown(
+        "07-refraction--failed-total",
+        glass(Level::Refracts, [1.0, 1.5]),
+        close,
+        one,
+        Fault::TotalBlack,
+    );
+    add_shown(
+        "08-fresnel--leaving-schlick",
+        reflectance([1.0, 1.5]),
+        close,
+        one,
+        Fault::SchlickWrongCosine,
+    );
+    add_shown(
+        "09-anti-aliasing--levels",
+        floor(),
+        horizon,
+        Sampler::Regular(8),
+        Fault::MeanOfLevels,
+    );
+    for (name, scale) in [
+        ("", 1.0),
+        ("--knob-0_001", 1e-3),
+        ("--knob-1000", 1e3),
+        ("--knob-1000000", 1e6),
+    ] {
         let mut camera = look(vec3(0.4, 0.9, -3.6), vec3(-0.1, 0.35, 0.0), 2.0);
         camera.eye *= scale;
         for (view, shows) in [("acne", Fault::NoBias), ("fixed", Fault::Bias(1e-4))] {
@@ -747,7 +1071,13 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
             add_shown(&name, What::Scene(planet(scale)), camera, one, shows);
         }
     }
-    add_shown("11-transparency--alone", What::Scene(pool()), above_pool, one, Fault::Alone);
+    add_shown(
+        "11-transparency--alone",
+        What::Scene(pool()),
+        above_pool,
+        one,
+        Fault::Alone,
+    );
     for (name, image) in stored {
         if !figures.iter().any(|figure| figure.names.contains(&name)) {
             figures.push(Figure {
@@ -765,5 +1095,8 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
 /// Returns the folder of the book's pictures.
 #[must_use]
 pub fn folder() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/pictures"))
+    PathBuf::from(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../book/src/pictures"
+    ))
 }

@@ -53,7 +53,10 @@ impl fmt::Display for Unreadable {
                 "it is {what} and no PNG; save the picture as a PNG, which keeps every level as it is"
             ),
             Self::Broken(reason) => {
-                write!(f, "this PNG is damaged ({reason}); save it once more, and close the file")
+                write!(
+                    f,
+                    "this PNG is damaged ({reason}); save it once more, and close the file"
+                )
             }
             Self::Size([w, h]) => write!(
                 f,
@@ -110,7 +113,9 @@ fn decode(path: &Path) -> Result<(Image, Vec<String>), Unreadable> {
     }
     let mut notes = Vec::new();
     if info.color_type == png::ColorType::Indexed {
-        notes.push("it has a palette: compared by the colours that it stands for".to_string());
+        notes.push(
+            "it has a palette: compared by the colours that it stands for".to_string(),
+        );
     }
     let gamma = info.gama_chunk.map(|gamma| gamma.into_value());
     if let Some(gamma) = gamma
@@ -131,7 +136,8 @@ fn decode(path: &Path) -> Result<(Image, Vec<String>), Unreadable> {
             "it has 16 bits a channel, the book's pictures have 8: compared as rounded to 8".to_string(),
         );
         let samples = bytes[..frame.buffer_size()].chunks_exact(2);
-        let rounded = samples.map(|s| (u32::from(u16::from_be_bytes([s[0], s[1]])) + 128) / 257);
+        let rounded =
+            samples.map(|s| (u32::from(u16::from_be_bytes([s[0], s[1]])) + 128) / 257);
         rounded.map(|level| level as u8).collect()
     } else {
         bytes.truncate(frame.buffer_size());
@@ -150,10 +156,18 @@ fn decode(path: &Path) -> Result<(Image, Vec<String>), Unreadable> {
         });
     }
     if channels < 3 {
-        notes.push("it is grey, without colours: compared as red = green = blue".to_string());
+        notes.push(
+            "it is grey, without colours: compared as red = green = blue".to_string(),
+        );
     }
     let levels = pixels()
-        .map(|pixel| if channels < 3 { [pixel[0]; 3] } else { [pixel[0], pixel[1], pixel[2]] })
+        .map(|pixel| {
+            if channels < 3 {
+                [pixel[0]; 3]
+            } else {
+                [pixel[0], pixel[1], pixel[2]]
+            }
+        })
         .collect();
     Ok((Image { size, levels }, notes))
 }

@@ -28,11 +28,16 @@ pub fn encode(light: f64) -> f64 {
 pub fn levels(light: Vec3, fault: Fault) -> [u8; 3] {
     let light = match fault {
         Fault::Channels(order) => Vec3::from_array(order.map(|i| light[i])),
+        Fault::Brighter(factor) => factor * light,
+        Fault::Black => Vec3::ZERO,
         _ => light,
     };
     let levels = light.to_array().map(|light| level(f64::from(light), fault));
     match fault {
-        Fault::Grey => [(levels.iter().map(|&l| u32::from(l)).sum::<u32>() / 3) as u8; 3],
+        Fault::Grey(weights) => {
+            let levels = Vec3::from(levels.map(f32::from));
+            [levels.dot(Vec3::from(weights)).round() as u8; 3]
+        }
         Fault::Negative => levels.map(|level| 255 - level),
         _ => levels,
     }

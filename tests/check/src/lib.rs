@@ -7,7 +7,7 @@ pub mod fault;
 pub mod figures;
 pub mod image;
 pub mod levels;
-pub mod tracer;
 pub mod matching;
 pub mod mutations;
 pub mod report;
+pub mod tracer;

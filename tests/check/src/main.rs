@@ -93,7 +93,9 @@ fn chapter(what: &Path, book: &[(String, Image)]) -> Option<String> {
         [stage, number, number.trim_start_matches('0'), name].contains(&what)
             || (what == "0" && number == "00")
     };
-    stages.find(|(stage, _)| is_meant(stage)).map(|(stage, _)| stage.to_string())
+    stages
+        .find(|(stage, _)| is_meant(stage))
+        .map(|(stage, _)| stage.to_string())
 }
 
 /// Refuses a name that no picture of the book has.
@@ -104,7 +106,9 @@ fn check_name(name: &str, book: &[(String, Image)]) -> Result<(), String> {
     // The names that share the most with it.
     let alike = |other: &str| {
         let words = name.split('-').filter(|word| !word.is_empty());
-        words.filter(|word| other.split('-').any(|other| other == *word)).count()
+        words
+            .filter(|word| other.split('-').any(|other| other == *word))
+            .count()
     };
     let mut names: Vec<_> = book.iter().map(|(name, _)| &name[..]).collect();
     names.sort_by_key(|other| std::cmp::Reverse(alike(other)));
@@ -124,10 +128,18 @@ fn print(text: &str) -> Result<(), (Exit, String)> {
     }
 }
 
-fn check_file(path: &Path, told: Option<&str>, (figures, book): &Book) -> Result<Exit, String> {
+fn check_file(
+    path: &Path,
+    told: Option<&str>,
+    (figures, book): &Book,
+) -> Result<Exit, String> {
     let shown = path.display();
-    let (yours, notes) = image::read(path).map_err(|error| format!("{shown}: {error}"))?;
-    let stem = path.file_stem().and_then(OsStr::to_str).unwrap_or("picture");
+    let (yours, notes) =
+        image::read(path).map_err(|error| format!("{shown}: {error}"))?;
+    let stem = path
+        .file_stem()
+        .and_then(OsStr::to_str)
+        .unwrap_or("picture");
     // A name that the book has says what is meant.
     let by_name = book.iter().map(|(name, _)| &name[..]);
     let told = told.or_else(|| by_name.into_iter().find(|name| *name == stem));
@@ -141,13 +153,21 @@ fn check_file(path: &Path, told: Option<&str>, (figures, book): &Book) -> Result
     }
     text += &verdict.text;
     print(&text).map_err(|(_, message)| message)?;
-    Ok(if verdict.is_equal { Exit::Equal } else { Exit::Different })
+    Ok(if verdict.is_equal {
+        Exit::Equal
+    } else {
+        Exit::Different
+    })
 }
 
 /// Returns the folder in which cargo builds: this program is in `target/debug` or the like.
 fn target() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
-    program.ancestors().nth(2).unwrap_or(Path::new("target")).to_path_buf()
+    program
+        .ancestors()
+        .nth(2)
+        .unwrap_or(Path::new("target"))
+        .to_path_buf()
 }
 
 /// The longest that a picture of a chapter may take.
@@ -163,7 +183,9 @@ fn check_chapter(stage: &str, (figures, book): &Book) -> Result<Exit, (Exit, Str
     if bin.file_name() == Some(OsStr::new("release")) {
         build.arg("--release");
     }
-    let output = build.output().map_err(|error| broken(format!("cargo: {error}")))?;
+    let output = build
+        .output()
+        .map_err(|error| broken(format!("cargo: {error}")))?;
     if !output.status.success() {
         let stderr = String::from_utf8_lossy(&output.stderr);
         let first = stderr.lines().find(|line| line.starts_with("error"));
@@ -198,10 +220,15 @@ fn check_chapter(stage: &str, (figures, book): &Book) -> Result<Exit, (Exit, Str
             equal += 1;
         } else {
             exit = Exit::Different;
-            print(&format!("{}\n", verdict.text.trim_start_matches("compared with ")))?;
+            print(&format!(
+                "{}\n",
+                verdict.text.trim_start_matches("compared with ")
+            ))?;
         }
     }
-    print(&format!("{stage}: {equal} pictures are equal to the book's\n"))?;
+    print(&format!(
+        "{stage}: {equal} pictures are equal to the book's\n"
+    ))?;
     Ok(exit)
 }
 
@@ -213,7 +240,9 @@ fn draw(program: &Path, name: &str, [w, h]: [u32; 2], path: &Path) -> Result<(),
     if let Some(setting) = parts.next().and_then(|part| part.strip_prefix("knob-")) {
         command.args(["--knob", &setting.replace('_', ".")]);
     }
-    command.args(["--size", &format!("{w}x{h}"), "--png"]).arg(path);
+    command
+        .args(["--size", &format!("{w}x{h}"), "--png"])
+        .arg(path);
     command.stdout(Stdio::null()).stderr(Stdio::piped());
     // An old picture must not be taken for a new one.
     let _ = fs::remove_file(path);
@@ -236,7 +265,13 @@ fn draw(program: &Path, name: &str, [w, h]: [u32; 2], path: &Path) -> Result<(),
     }
     let stderr = io::read_to_string(child.stderr.take().ok_or("no stderr")?);
     let stderr = stderr.map_err(|error| error.to_string())?;
-    let lines: Vec<_> = stderr.lines().filter(|line| !line.trim().is_empty()).collect();
+    let lines: Vec<_> = stderr
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .collect();
     let words = lines.iter().take(2).copied().collect::<Vec<_>>().join(" ");
-    Err(format!("the program failed: {}", words.trim_start_matches("error: ")))
+    Err(format!(
+        "the program failed: {}",
+        words.trim_start_matches("error: ")
+    ))
 }

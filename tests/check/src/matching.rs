@@ -5,7 +5,7 @@
 //! how the pictures differ, at any size, and no wrong picture need be known beforehand.
 
 use crate::fault::Fault;
-use crate::figures::Figure;
+use crate::figures::{Figure, Part};
 use crate::image::Image;
 use crate::levels::{decode, levels};
 use crate::mutations::{MUTATIONS, Mutation};
@@ -30,7 +30,8 @@ struct Sample {
 pub struct Cause {
     /// The row of the table; `None` is "nothing but other colours".
     pub mutation: Option<&'static Mutation>,
-    /// How much of the difference it explains: 1 is all of it.
+    /// How much of the difference it explains, 1 being all of it, less a little for each further
+    /// colour that must be another.
     pub explained: f32,
     /// The objects that have another colour besides.
     pub recoloured: usize,
@@ -39,11 +40,19 @@ pub struct Cause {
 /// From this difference in a channel on, a pixel is simply wrong.
 const SATURATION: f32 = 48.0;
 
+/// A reader's own colours are only estimated: differences up to this are ignored then.
+const TOLERANCE: u8 = 3;
+
 /// Returns the difference of two pixels, from 0 to 1.
 fn distance(a: [u8; 3], b: [u8; 3]) -> f32 {
+    distance_beyond(0, a, b)
+}
+
+fn distance_beyond(tolerance: u8, a: [u8; 3], b: [u8; 3]) -> f32 {
     let channels = a.into_iter().zip(b);
-    channels
-        .map(|(a, b)| (f32::from(a.abs_diff(b)) / SATURATION).min(1.0))
+    let differences = channels.map(|(a, b)| a.abs_diff(b).saturating_sub(tolerance));
+    differences
+        .map(|d| (f32::from(d) / SATURATION).min(1.0))
         .sum::<f32>()
         / 3.0
 }
@@ -132,15 +141,20 @@ impl<'a> Observation<'a> {
         changes.then_some(pixels)
     }
 
-    /// Returns the part of the difference that a drawing explains, pixel by pixel and region by
-    /// region; negative if the drawing is farther from the reader's than the book's is.
-    fn explained(&self, drawn: &[[u8; 3]]) -> f32 {
+    /// Returns the part of the difference that a drawing with a fault explains, pixel by pixel, or
+    /// region by region if it has speckles; negative if the drawing is farther from the reader's
+    /// than the book's is.
+    fn explained(&self, fault: Fault, drawn: &[[u8; 3]], tolerance: u8) -> f32 {
         let samples = self.samples.iter().zip(drawn);
         let left: f32 = samples
-            .map(|(sample, &drawn)| sample.weight * distance(sample.yours, drawn))
+            .map(|(s, &drawn)| s.weight * distance_beyond(tolerance, s.yours, drawn))
             .sum();
         let by_pixel = 1.0 - left / self.total();
-        by_pixel.max(0.9 * self.explained_by_region(drawn))
+        if has_speckles(fault) {
+            by_pixel.max(SPECKLES * self.explained_by_region(drawn))
+        } else {
+            by_pixel
+        }
     }
 
     /// Speckles are nowhere the same twice: of each region, an object in the light of some of the
@@ -156,15 +170,21 @@ impl<'a> Observation<'a> {
         let mut regions: BTreeMap<_, Sums> = BTreeMap::new();
         for (sample, &drawn) in self.samples.iter().zip(drawn) {
             let [x, y] = sample.at;
-            // Where nothing is known of the scene, and to tell near from far, a tile is a region.
-            let tile = [4 * x / self.size[0], 4 * y / self.size[1]];
+            // Where nothing is known of the scene a tile is a region.
+            let tile = if self.figure.has_scene() {
+                [0, 0]
+            } else {
+                [4 * x / self.size[0], 4 * y / self.size[1]]
+            };
             let sums = regions.entry((sample.region, tile)).or_default();
             let minus = |pixel: [u8; 3]| {
-                let difference = Vec3::from(pixel.map(f32::from)) - Vec3::from(sample.book.map(f32::from));
+                let difference = Vec3::from(pixel.map(f32::from))
+                    - Vec3::from(sample.book.map(f32::from));
                 difference.clamp(Vec3::splat(-SATURATION), Vec3::splat(SATURATION))
             };
             sums.weight += sample.weight;
-            for (to, pixel) in [(&mut sums.yours, sample.yours), (&mut sums.drawn, drawn)] {
+            for (to, pixel) in [(&mut sums.yours, sample.yours), (&mut sums.drawn, drawn)]
+            {
                 let difference = minus(pixel);
                 to[0] += sample.weight * difference;
                 to[1] += sample.weight * difference.abs();
@@ -180,53 +200,101 @@ impl<'a> Observation<'a> {
         1.0 - left / all.max(1e-6)
     }
 
-    /// Gives the objects of a drawing the reader's colours, where that explains an object almost
-    /// whole; at most `most` of them. Returns their number.
-    fn recolour(&self, drawn: &mut [[u8; 3]], most: usize) -> usize {
+    /// Returns the colours of the reader's own that would explain what a drawing with a fault does
+    /// not: for each part of the scene by how much its colour is multiplied; those that matter most,
+    /// `most` of them.
+    ///
+    /// Light is linear in a colour c: it is B + c (D − B), where D is drawn with c = 1 and B with
+    /// c = 0. So highlights, and what a mirror shows, do not matter.
+    fn own_ratios(
+        &self,
+        fault: Fault,
+        drawn: &[[u8; 3]],
+        most: usize,
+    ) -> Vec<(Part, Vec3)> {
         let light = |pixel: [u8; 3]| {
-            Vec3::from(pixel.map(|level| decode(f64::from(level) / 255.0) as f32))
+            Vec3::from(pixel.map(|l| decode(f64::from(l) / 255.0) as f32))
         };
-        let mut objects: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        let mut parts: BTreeMap<Part, Vec<usize>> = BTreeMap::new();
         for (i, sample) in self.samples.iter().enumerate() {
-            let object = sample.region.map(|(index, is_odd, _)| (index, is_odd));
-            objects.entry(object).or_default().push(i);
+            let part = sample.region.map(|(index, is_odd, _)| (index, is_odd));
+            parts.entry(part).or_default().push(i);
         }
         let mut gains = Vec::new();
-        for indices in objects.values().filter(|indices| indices.len() >= 12) {
-            let ratio = |channel: usize| {
-                let mut ratios: Vec<_> = indices
-                    .iter()
-                    .map(|&i| [light(self.samples[i].yours)[channel], light(drawn[i])[channel]])
-                    .filter(|[_, drawn]| *drawn > 0.002)
-                    .map(|[yours, drawn]| yours / drawn)
-                    .collect();
+        for (part, indices) in parts.into_iter().filter(|(_, indices)| indices.len() >= 6)
+        {
+            let of = |i: usize, pixel: [u8; 3]| {
+                let Sample { weight, yours, .. } = self.samples[i];
+                weight * distance_beyond(TOLERANCE, yours, pixel)
+            };
+            let before: f32 = indices.iter().map(|&i| of(i, drawn[i])).sum();
+            if before == 0.0 {
+                continue;
+            }
+            let Some(black) = self.figure.with_colours(&[(part, Vec3::ZERO)]) else {
+                continue;
+            };
+            let lights: Vec<_> = indices
+                .iter()
+                .map(|&i| {
+                    let sample = &self.samples[i];
+                    let black = black.pixel(sample.at, self.size, fault);
+                    [sample.yours, drawn[i], black].map(light)
+                })
+                .collect();
+            let ratio = |c: usize| {
+                let with_colour = lights.iter().filter(|[yours, drawn, black]| {
+                    drawn[c] - black[c] > 0.002 && yours[c] < 0.99
+                });
+                let ratios = with_colour.map(|[yours, drawn, black]| {
+                    (yours[c] - black[c]) / (drawn[c] - black[c])
+                });
+                let mut ratios: Vec<_> = ratios.collect();
                 ratios.sort_by(f32::total_cmp);
-                ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
+                ratios
+                    .get(ratios.len() / 2)
+                    .copied()
+                    .unwrap_or(1.0)
+                    .max(0.0)
             };
             let ratios = Vec3::new(ratio(0), ratio(1), ratio(2));
-            let recoloured: Vec<_> = indices
-                .iter()
-                .map(|&i| levels(ratios * light(drawn[i]), Fault::None))
-                .collect();
-            let cost = |pixels: &mut dyn Iterator<Item = (usize, [u8; 3])>| {
-                pixels
-                    .map(|(i, pixel)| self.samples[i].weight * distance(self.samples[i].yours, pixel))
-                    .sum::<f32>()
-            };
-            let before = cost(&mut indices.iter().map(|&i| (i, drawn[i])));
-            let after = cost(&mut indices.iter().copied().zip(recoloured.iter().copied()));
-            if after < 0.25 * before {
-                gains.push((before - after, indices, recoloured));
+            let pairs = indices.iter().zip(&lights);
+            let after: f32 = pairs
+                .map(|(&i, [_, drawn, black])| {
+                    of(i, levels(*black + ratios * (*drawn - *black), Fault::None))
+                })
+                .sum();
+            if after < 0.6 * before {
+                gains.push((before - after, (part, ratios)));
             }
         }
         gains.sort_by(|a, b| b.0.total_cmp(&a.0));
         gains.truncate(most);
-        for (_, indices, recoloured) in &gains {
-            for (&i, &pixel) in indices.iter().zip(recoloured) {
-                drawn[i] = pixel;
-            }
+        gains.into_iter().map(|(_, ratios)| ratios).collect()
+    }
+
+    /// Returns how well a fault explains the difference, with colours of the reader's own besides.
+    /// `None` if there are none of these.
+    fn with_own_colours(
+        &self,
+        fault: Fault,
+        drawn: &[[u8; 3]],
+        most: usize,
+    ) -> Option<(f32, usize)> {
+        if !self.figure.has_scene() {
+            return None;
         }
-        gains.len()
+        let ratios = self.own_ratios(fault, drawn, most);
+        if ratios.is_empty() {
+            return None;
+        }
+        let figure = self.figure.with_colours(&ratios)?;
+        let pixels = self
+            .samples
+            .iter()
+            .map(|s| figure.pixel(s.at, self.size, fault));
+        let pixels: Vec<_> = pixels.collect();
+        Some((self.explained(fault, &pixels, TOLERANCE), ratios.len()))
     }
 
     /// Returns every so many samples, so that there are about `count`.
@@ -239,50 +307,81 @@ impl<'a> Observation<'a> {
         }
     }
 
-    /// Returns how well a fault explains the difference. `None` if it changes nothing.
-    fn cause(&self, mutation: &'static Mutation, fault: Fault) -> Option<Cause> {
-        let mut drawn = self.drawn(fault)?;
-        let explained = self.explained(&drawn);
-        let recoloured = self.recolour(&mut drawn, 2);
-        let also = self.explained(&drawn) - COST_OF_COLOUR * recoloured as f32;
-        let (explained, recoloured) = if also > explained {
-            (also, recoloured)
-        } else {
-            (explained, 0)
-        };
+    /// Returns how well a fault alone explains the difference. `None` if it changes nothing.
+    fn direct(&self, mutation: &'static Mutation, fault: Fault) -> Option<Cause> {
         Some(Cause {
             mutation: Some(mutation),
+            explained: self.explained(fault, &self.drawn(fault)?, 0),
+            recoloured: 0,
+        })
+    }
+
+    /// Returns how well a fault explains the difference, alone or with one or two colours of the
+    /// reader's own. `None` if it changes nothing.
+    fn with_colours(&self, mutation: &'static Mutation, fault: Fault) -> Option<Cause> {
+        let drawn = self.drawn(fault)?;
+        let direct = self.direct(mutation, fault)?;
+        let with = self.with_own_colours(fault, &drawn, 2);
+        let with = with.map(|(explained, recoloured)| Cause {
+            mutation: Some(mutation),
+            explained: explained - COST_OF_COLOUR * recoloured as f32,
+            recoloured,
+        });
+        with.filter(|with| with.explained > direct.explained)
+            .or(Some(direct))
+    }
+
+    /// Returns the strength of a fault that explains most, starting with a given one.
+    fn refined(&self, mutation: &'static Mutation, mut fault: Fault) -> Fault {
+        let explained = |fault| {
+            self.direct(mutation, fault)
+                .map_or(0.0, |cause| cause.explained)
+        };
+        let mut best = explained(fault);
+        for factor in [1.15, 1.07, 1.03, 1.015] {
+            for factor in [factor, 1.0 / factor] {
+                let Some(other) = fault.scaled(factor) else {
+                    return fault;
+                };
+                let of_other = explained(other);
+                if of_other > best {
+                    (fault, best) = (other, of_other);
+                }
+            }
+        }
+        fault
+    }
+
+    /// Returns how well other colours alone explain it.
+    fn own_colours(&self) -> Option<Cause> {
+        let drawn: Vec<_> = self.samples.iter().map(|sample| sample.book).collect();
+        let (explained, recoloured) =
+            self.with_own_colours(Fault::None, &drawn, usize::MAX)?;
+        Some(Cause {
+            mutation: None,
             explained,
             recoloured,
         })
     }
 
-    /// Returns how well other colours alone explain it.
-    fn own_colours(&self) -> Cause {
-        let mut drawn: Vec<_> = self.samples.iter().map(|sample| sample.book).collect();
-        let recoloured = self.recolour(&mut drawn, usize::MAX);
-        Cause {
-            mutation: None,
-            explained: self.explained(&drawn) - COST_OF_COLOUR * recoloured as f32,
-            recoloured,
-        }
-    }
-
     /// Returns the difference, from 0 to 1, that the likeliest fault leaves unexplained.
     fn unexplained(&self) -> f32 {
-        let guesses = self.guesses();
+        let guesses = self.guesses(Self::direct);
         let explained = guesses.first().map_or(0.0, |(cause, _)| cause.explained);
-        let explained = explained.max(self.own_colours().explained).max(0.0);
+        let own = self.own_colours().map_or(0.0, |cause| cause.explained);
+        let explained = explained.max(own).max(0.0);
         self.difference() * (1.0 - explained)
     }
 
-    /// Returns every fault that changes the picture, the likeliest first.
-    fn guesses(&self) -> Vec<(Cause, Fault)> {
-        let faults = MUTATIONS.iter().flat_map(|row| row.faults.iter().map(move |&f| (row, f)));
+    /// Returns every fault that changes the picture, the likeliest first, as `cause` has it.
+    fn guesses(&self, cause: Judge<'a>) -> Vec<(Cause, Fault)> {
+        let faults = MUTATIONS
+            .iter()
+            .flat_map(|row| row.faults.iter().map(move |&f| (row, f)));
         let faults: Vec<_> = faults.collect();
         let guesses = faults
             .par_iter()
-            .filter_map(|&(row, fault)| Some((self.cause(row, fault)?, fault)));
+            .filter_map(|&(row, fault)| Some((cause(self, row, fault)?, fault)));
         let mut guesses: Vec<_> = guesses.collect();
         guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
         guesses
@@ -295,15 +394,35 @@ impl<'a> Observation<'a> {
             return Vec::new();
         }
         // A few pixels tell which faults are worth many.
-        let mut guesses = self.thinned(96).guesses();
-        guesses.truncate(20);
-        let mut causes: Vec<Cause> = guesses
-            .par_iter()
-            .filter_map(|(cause, fault)| self.cause(cause.mutation?, *fault))
-            .collect();
-        causes.push(self.own_colours());
+        let thinned = self.thinned(96);
+        let mut guesses = thinned.guesses(Self::direct);
+        guesses.truncate(16);
+        let is_direct = guesses
+            .first()
+            .is_some_and(|(cause, _)| cause.explained > NEARLY_ALL);
+        if !is_direct {
+            let mut coloured = thinned.guesses(Self::with_colours);
+            coloured.retain(|(cause, _)| cause.recoloured > 0);
+            coloured.truncate(8);
+            guesses.extend(coloured);
+        }
+        let causes = guesses.par_iter().filter_map(|(cause, fault)| {
+            let row = cause.mutation?;
+            let fault = if cause.explained > NEARLY_ALL {
+                *fault
+            } else {
+                thinned.refined(row, *fault)
+            };
+            if is_direct {
+                self.direct(row, fault)
+            } else {
+                self.with_colours(row, fault)
+            }
+        });
+        let mut causes: Vec<Cause> = causes.collect();
         let place = |cause: &Cause| {
-            let is_row = |row: &Mutation| cause.mutation.is_some_and(|m| m.name == row.name);
+            let is_row =
+                |row: &Mutation| cause.mutation.is_some_and(|m| m.name == row.name);
             MUTATIONS.iter().position(is_row)
         };
         // Of equals the first in the table is first.
@@ -316,12 +435,46 @@ impl<'a> Observation<'a> {
             seen.push(row);
             is_new && cause.explained > 0.1
         });
+        if let Some(own) = self.own_colours() {
+            // Colours alone, unless a mistake explains it as well without them, or what they leave.
+            let best = causes.first().map_or(0.0, |cause| cause.explained);
+            let direct = causes.iter().filter(|cause| cause.recoloured == 0);
+            let direct = direct.map(|cause| cause.explained).fold(0.0, f32::max);
+            let left = 1.0 - own.explained;
+            let best_left = 1.0
+                - best
+                - COST_OF_COLOUR * causes.first().map_or(0, |c| c.recoloured) as f32;
+            let is_all = left < 0.03 && direct < NEARLY_ALL;
+            if is_all || (best < NEARLY_ALL && best_left > 0.4 * left) {
+                causes.insert(0, own);
+            }
+        }
         causes
     }
 }
 
+/// Returns whether a fault's picture has speckles, which rounding puts elsewhere in every program.
+fn has_speckles(fault: Fault) -> bool {
+    matches!(
+        fault,
+        Fault::NoBias
+            | Fault::Bias(_)
+            | Fault::CheckerInSpace
+            | Fault::TextbookSphere
+            | Fault::MirrorUnnormalized
+            | Fault::NotJittered
+    )
+}
+
+/// How a fault is judged.
+type Judge<'a> = fn(&Observation<'a>, &'static Mutation, Fault) -> Option<Cause>;
+
 /// What a further colour must explain to be believed.
-const COST_OF_COLOUR: f32 = 0.04;
+const COST_OF_COLOUR: f32 = 0.03;
+/// From here on nothing is left to explain.
+const NEARLY_ALL: f32 = 0.95;
+/// What an explanation of the speckles of each region, but not of each pixel, is worth.
+const SPECKLES: f32 = 0.8;
 
 fn scatter(i: usize) -> usize {
     (i.wrapping_mul(0x9e37_79b9_7f4a_7c15)) >> 40
@@ -418,7 +571,8 @@ pub fn guess<'a>(
     let mut near: Vec<_> = references
         .par_iter()
         .map(|reference| {
-            let seen = reference.observe(yours, if reference.figure.cost() > 4 { 32 } else { 128 });
+            let seen = reference
+                .observe(yours, if reference.figure.cost() > 4 { 32 } else { 128 });
             let left = everywhere.iter().map(|&fault| {
                 let samples = seen.samples.iter();
                 let left: f32 = samples
@@ -436,7 +590,8 @@ pub fn guess<'a>(
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
     near.truncate(8);
     let left = near.par_iter().map(|(_, reference)| {
-        let seen = reference.observe(yours, if reference.figure.cost() > 4 { 48 } else { 128 });
+        let seen =
+            reference.observe(yours, if reference.figure.cost() > 4 { 48 } else { 128 });
         (seen.unexplained(), *reference)
     });
     let left: Vec<_> = left.collect();

@@ -32,13 +32,13 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "transposed" "x and y of a pixel have changed places" "00-canvas.md#the-maths-where-is-a-pixel" [Transposed]
     "pixel-corner" "rays go through the corners of the pixels, not their centres: half a pixel is missing" "00-canvas.md#the-maths-where-is-a-pixel" [PixelPoint(Vec2::ZERO), PixelPoint(Vec2::ONE), PixelPoint(Vec2::new(0.0, 0.5)), PixelPoint(Vec2::new(0.5, 0.0)), PixelPoint(Vec2::new(0.0, 1.0)), PixelPoint(Vec2::new(1.0, 0.0)), PixelPoint(Vec2::new(1.0, 0.5)), PixelPoint(Vec2::new(0.5, 1.0))]
     "size-less-one" "a pixel's place is divided by the width less one, not by the width" "00-canvas.md#the-maths-where-is-a-pixel" [SizeLessOne]
-    "shifted" "the picture is moved by whole pixels: a count begins at 1" "00-canvas.md#the-maths-where-is-a-pixel" [Shift(1, 0), Shift(-1, 0), Shift(0, 1), Shift(0, -1), Shift(1, 1), Shift(-1, -1)]
+    "shifted" "the picture is moved by whole pixels: a count begins at 1" "00-canvas.md#the-maths-where-is-a-pixel" [Shift(1, 0), Shift(-1, 0), Shift(0, 1), Shift(0, -1), Shift(1, 1), Shift(-1, -1), Shift(1, -1), Shift(-1, 1), Shift(2, 0), Shift(-2, 0), Shift(0, 2), Shift(0, -2)]
     "square-plane" "balls are eggs: the image plane is a square, and the picture is not" "01-ray-casting.md#what-goes-wrong" [SquarePlane]
     "aspect-inverted" "the aspect ratio divides where it should multiply" "01-ray-casting.md#what-goes-wrong" [AspectInverted]
     "fits-width" "the image plane is 2 wide, and should be 2 high" "00-canvas.md#the-maths-where-is-a-pixel" [FitsWidth]
 
     // The camera.
-    "focal-length" "the focal length, and with it the field of view, is another one" "01-ray-casting.md#the-maths" [FocalTimes(0.5), FocalTimes(2.0), FocalTimes(0.8), FocalTimes(1.25)]
+    "focal-length" "the focal length, and with it the field of view, is another one" "01-ray-casting.md#the-maths" [FocalTimes(0.5), FocalTimes(2.0), FocalTimes(0.65), FocalTimes(0.8), FocalTimes(1.25), FocalTimes(1.55)]
     "focal-inverted" "the focal length is tan α, and should be 1 / tan α" "01-ray-casting.md#the-maths" [FocalInverted]
     "whole-angle" "the field of view is twice as large: its tangent is that of the whole angle, not of half of it" "01-ray-casting.md#the-maths" [WholeAngle]
     "degrees" "the field of view's tangent is given degrees, and wants radians" "01-ray-casting.md#the-maths" [DegreesAsRadians]
@@ -51,22 +51,23 @@ pub const MUTATIONS: &[Mutation] = mutations! {
 
     // Levels.
     "linear" "light was written into the file without encoding" "00-canvas.md#what-goes-wrong" [Linear]
-    "gamma" "light was encoded by a power, like 1/2.2, and not by sRGB's formula" "00-canvas.md#from-light-to-levels" [Gamma(2.2), Gamma(2.0), Gamma(1.8), Gamma(2.4)]
+    "gamma" "light was encoded by a power, like 1/2.2, and not by sRGB's formula" "00-canvas.md#from-light-to-levels" [Gamma(2.2), Gamma(2.0), Gamma(1.8), Gamma(1.6), Gamma(2.4)]
     "encoded-twice" "light was encoded twice" "00-canvas.md#from-light-to-levels" [EncodedTwice]
     "decoded" "light was decoded, and should be encoded" "00-canvas.md#from-light-to-levels" [DecodedInstead]
     "truncated" "levels are cut off to whole numbers, not rounded" "00-canvas.md#what-goes-wrong" [Truncated(255.0), Truncated(256.0), Truncated(255.999)]
     "wraps" "light above 1 wraps around: clamp it before it becomes a byte" "00-canvas.md#from-light-to-levels" [Wraps]
     "channels" "red, green and blue have changed places" "00-canvas.md#the-code" [Channels([2, 1, 0]), Channels([0, 2, 1]), Channels([1, 0, 2]), Channels([1, 2, 0]), Channels([2, 0, 1])]
-    "grey" "the colours are lost: all three channels are the same" "00-canvas.md#the-code" [Grey]
+    "grey" "the colours are lost: all three channels are the same" "00-canvas.md#the-code" [Grey([0.299, 0.587, 0.114]), Grey([0.333, 0.334, 0.333]), Grey([0.2126, 0.7152, 0.0722])]
     "negative" "light and dark have changed places" "00-canvas.md#from-light-to-levels" [Negative]
+    "black" "the whole picture is black: every pixel is NaN, or the rows are never put on the canvas" "00-canvas.md#the-code" [Black]
+    "too-bright" "there is more than full light: flat white patches" "05-shading.md#what-goes-wrong" [Brighter(1.5), Brighter(2.0), Brighter(3.0), Brighter(0.5)]
     "tone-mapped" "light is compressed, like v / (1 + v); the book clamps it" "00-canvas.md#from-light-to-levels" [ToneMapped]
     "colours-decoded" "the scene's colours were taken for sRGB and decoded; the book's are linear" "00-canvas.md#from-light-to-levels" [ColoursDecoded]
 
     // Balls and the floor.
-    "radius" "balls are of another size: the radius was taken for the diameter, or the diameter for the radius" "02-sphere-hit.md#the-maths" [RadiusTimes(0.5), RadiusTimes(2.0)]
+    "radius" "balls are of another size: the radius was taken for the diameter, or the diameter for the radius" "02-sphere-hit.md#the-maths" [RadiusTimes(0.5), RadiusTimes(2.0), RadiusTimes(0.7), RadiusTimes(1.4)]
     "radius-unsquared" "the radius is not squared" "02-sphere-hit.md#the-maths" [RadiusUnsquared]
     "far-root" "the two roots are tried in the wrong order: you see the far wall of a ball, from within" "02-sphere-hit.md#the-maths" [FarRoot, FarWallOnly]
-    "half-root" "both roots are half of what they should be: 2a and b are mixed up" "02-sphere-hit.md#the-maths" [HalfRoot]
     "last-in-list" "what is later in the list covers what is near: t_max stays where it was" "03-plane-hit.md#the-code" [LastInList]
     "not-nearest" "what is far away covers what is near: the first object in the list that is hit is taken, or the farthest" "03-plane-hit.md#the-code" [FirstInList, Farthest]
     "textbook-sphere" "two huge squares are subtracted: the textbook's formula for the sphere" "02-sphere-hit.md#what-goes-wrong" [TextbookSphere]
@@ -78,7 +79,7 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "checker-parity" "the dark and the light squares have changed places" "03-plane-hit.md#the-code" [CheckerParity]
     "checker-in-space" "the squares are counted in space, with a coordinate that is whole all over the floor" "03-plane-hit.md#what-goes-wrong" [CheckerInSpace]
     "checker-towards-zero" "the squares next to an axis are twice as large: rounded towards zero, not down" "03-plane-hit.md#exercises" [CheckerTowardsZero]
-    "checker-size" "the squares are of another size" "03-plane-hit.md#the-code" [CheckerTimes(0.5), CheckerTimes(2.0)]
+    "checker-size" "the squares are of another size" "03-plane-hit.md#the-code" [CheckerTimes(0.5), CheckerTimes(2.0), CheckerTimes(0.25), CheckerTimes(3.0), CheckerTimes(4.0), CheckerTimes(10.0)]
     "checker-stripes" "the floor has stripes: one of the two coordinates is not used" "03-plane-hit.md#the-code" [CheckerStripes]
     "checker-product" "the numbers of the squares are multiplied, and should be added" "03-plane-hit.md#the-code" [CheckerMultiplied]
 
@@ -138,7 +139,7 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "total-black" "total internal reflection is forgotten, and its light is lost" "07-refraction.md#what-goes-wrong" [TotalBlack]
     "total-straight" "under total internal reflection the ray goes straight on, and should be reflected" "07-refraction.md#what-goes-wrong" [TotalStraight]
     "unbent" "glass does not bend the light" "07-refraction.md#the-code" [Unbent]
-    "index" "glass has another index of refraction" "07-refraction.md#the-maths" [IndexOther(1.33), IndexOther(1.4), IndexOther(1.6), IndexOther(2.0), IndexOther(2.42)]
+    "index" "glass has another index of refraction" "07-refraction.md#the-maths" [IndexOther(1.2), IndexOther(1.33), IndexOther(1.4), IndexOther(1.6), IndexOther(1.75), IndexOther(2.0), IndexOther(2.42)]
     "refract-sign" "the refracted ray is bent to the wrong side" "07-refraction.md#the-maths" [RefractSign]
     "glass-depth" "rays end inside the glass: the depth allows one bounce only" "07-refraction.md#the-code" [GlassDepth]
     "glass-bias" "glass is black: the offset is on the wrong side, and the ray enters again and again" "07-refraction.md#the-code" [GlassBiasWrong]
@@ -151,9 +152,10 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "schlick" "Schlick's approximation in place of Fresnel's formulas" "08-fresnel.md#the-maths" [Schlick]
     "one-polarization" "only one of the two polarisations is reflected" "08-fresnel.md#the-maths" [OnePolarization(true), OnePolarization(false)]
     "amplitudes" "the amplitudes are not squared" "08-fresnel.md#the-maths" [FresnelAverage]
-    "constant-reflectance" "glass reflects the same fraction at every angle" "08-fresnel.md#the-idea" [ConstantReflectance(0.04), ConstantReflectance(0.1), ConstantReflectance(0.2), ConstantReflectance(0.5)]
+    "constant-reflectance" "glass reflects the same fraction at every angle" "08-fresnel.md#the-idea" [ConstantReflectance(0.04), ConstantReflectance(0.1), ConstantReflectance(0.2), ConstantReflectance(0.35), ConstantReflectance(0.5)]
     "fresnel-swapped" "reflectance and transmittance have changed places" "08-fresnel.md#the-code" [FresnelSwapped]
     "transmits-all" "what is reflected is not subtracted from what is transmitted" "08-fresnel.md#what-goes-wrong" [TransmitsAll]
+    "sparkle" "a ball of index 1 sparkles: 0/0 at grazing angles" "08-fresnel.md#what-goes-wrong" [EqualIndicesSparkle]
     "glass-shadow-black" "clear glass has an opaque shadow" "11-transparency.md#the-idea" [GlassShadowBlack]
     "absorbs-at-surface" "the glass is coloured at its surface, and not along the path" "11-transparency.md#what-goes-wrong" [AbsorbsAtSurface]
     "absorbs-twice" "the absorption is counted twice" "11-transparency.md#what-goes-wrong" [AbsorbsTwice]
@@ -163,13 +165,19 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "absorbs-linearly" "the transmittance is 1 − a d, and should be e^(−a d)" "11-transparency.md#the-maths" [AbsorbsLinearly]
     "alone" "bodies that overlap do not displace each other" "11-transparency.md#what-goes-wrong" [Alone]
 
+    "plane-without-inside" "the ground of a lake is seen without the water's colour: a plane has no inside" "11-transparency.md#what-goes-wrong" [PlaneWithoutInside]
+
     // Samples.
     "one-sample" "there is one ray for each pixel" "09-anti-aliasing.md#the-idea" [OneSample]
     "fewer-samples" "there are fewer samples than there should be" "09-anti-aliasing.md#the-code" [FewerSamples]
     "sample-corners" "samples are in the corners of their cells, not in the middle" "09-anti-aliasing.md#the-code" [Corners]
     "mean-of-levels" "levels were averaged, and not light" "09-anti-aliasing.md#what-goes-wrong" [MeanOfLevels]
     "clamped-samples" "each sample is clamped to white before the mean is taken" "09-anti-aliasing.md#what-goes-wrong" [ClampedSamples]
+    "unclamped-samples" "stairs around a lamp: it is brighter than white, and its samples are not clamped" "09-anti-aliasing.md#what-goes-wrong" [UnclampedSamples]
+    "not-jittered" "rings near the horizon: the samples are on a regular grid" "09-anti-aliasing.md#what-goes-wrong" [NotJittered]
+    "adaptive-samples" "small things are missing: they fall between an adaptive sampler's first rays" "09-anti-aliasing.md#what-goes-wrong" [AdaptiveSamples]
     "wide-pixel" "samples come from more than the pixel: the picture is blurred" "09-anti-aliasing.md#the-code" [WidePixel(2.0), WidePixel(3.0)]
+    "half-root" "both roots are half of what they should be: 2a and b are mixed up" "02-sphere-hit.md#the-maths" [HalfRoot]
 };
 
 /// Returns the row called `name`.

@@ -3,7 +3,7 @@
 use crate::fault::Fault;
 use crate::figures::Figure;
 use crate::image::{self, Image};
-use crate::matching::{Cause, Reference, equal, guess, named};
+use crate::matching::{Cause, Observation, Reference, equal, guess, named};
 use crate::mutations;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -12,9 +12,11 @@ use std::fs;
 use std::path::Path;
 
 /// A cause is named only if it explains at least this much of the difference.
-pub const BELIEVED: f32 = 0.5;
+pub const BELIEVED: f32 = 0.55;
+/// A cause that explains so much less than the likeliest is not named.
+const MUCH_LESS: f32 = 0.25;
 /// Other colours are taken for the reader's own from here on.
-const OWN_COLOURS: f32 = 0.75;
+const OWN_COLOURS: f32 = 0.7;
 /// The most rays that are traced to count differing pixels.
 const MAX_RAYS: usize = 4_000_000;
 /// The number of pixels at which causes are compared.
@@ -63,7 +65,10 @@ pub fn judge(
         if let Some(row) = mutations::of(reference.figure.shows) {
             let _ = writeln!(text, "  which shows a fault on purpose: {}", row.cause);
             let _ = writeln!(text, "     book/src/{}", row.page);
-            let _ = writeln!(text, "  if it was meant to be another picture, say which: --picture NAME");
+            let _ = writeln!(
+                text,
+                "  if it was meant to be another picture, say which: --picture NAME"
+            );
         }
         return verdict(true, Vec::new(), text);
     }
@@ -80,19 +85,23 @@ pub fn judge(
         let _ = writeln!(text, "equal to {}{of_size}", reference.name);
         return verdict(true, Vec::new(), text);
     }
-    let how = if told.is_some() { "compared with" } else { "most like" };
+    let how = if told.is_some() {
+        "compared with"
+    } else {
+        "most like"
+    };
     let _ = writeln!(text, "{how} {}{of_size}", reference.name);
     text += &comparison.lines();
     let _ = writeln!(text, "  {}", save_heat_map(yours, reference, folder, label));
-    let observation = reference.observe(yours, if reference.figure.cost() > 4 { SAMPLES / 4 } else { SAMPLES });
-    let mut causes = observation.causes();
-    let own_colours = causes.iter().position(|cause| cause.mutation.is_none());
-    let is_own = own_colours == Some(0) && causes[0].explained >= OWN_COLOURS;
-    causes.retain(|cause| cause.mutation.is_some() && cause.explained >= BELIEVED);
-    if is_own {
-        causes.clear();
-    }
-    causes.truncate(3);
+    let observation = reference.observe(
+        yours,
+        if reference.figure.cost() > 4 {
+            SAMPLES / 4
+        } else {
+            SAMPLES
+        },
+    );
+    let (is_own, causes) = likely(&observation);
     let share = f64::from(comparison.differ) / f64::from(comparison.count);
     if is_own {
         text += "a picture of your own: some colours are others, and all else is as in the book\n";
@@ -102,19 +111,75 @@ pub fn judge(
             let Some(row) = cause.mutation else { continue };
             let percent = (100.0 * cause.explained).round();
             let _ = writeln!(text, "  {}. {}", i + 1, row.cause);
-            let besides = if cause.recoloured > 0 { ", with colours of your own" } else { "" };
-            let _ = writeln!(text, "     explains {percent} %{besides}; see book/src/{}", row.page);
+            let besides = if cause.recoloured > 0 {
+                ", with colours of your own"
+            } else {
+                ""
+            };
+            let _ = writeln!(
+                text,
+                "     explains {percent} %{besides}; see book/src/{}",
+                row.page
+            );
         }
+    } else if !reference.has_size(yours.size) && is_scaled(yours, reference.book) {
+        text += "this is the book's picture, scaled: draw it at its own size, and compare that\n";
     } else if share < 0.01 || comparison.worst <= 2 {
         text += "no cause is known for so little: often it is only another precision, or another order of\nadditions, which moves a few pixels at edges (book/src/mathematics.md#floating-point-in-four-sentences)\n";
     } else {
         text += "I do not know this one: it is a picture of your own, or a mistake that is not in my table\n";
-        text += "     see book/src/when-things-go-wrong.md#what-you-see-and-where-to-look\n";
+        text +=
+            "     see book/src/when-things-go-wrong.md#what-you-see-and-where-to-look\n";
     }
     if told.is_none() {
         text += "if it is meant to be another picture of the book, say which: --picture NAME\n";
     }
     verdict(false, causes, text)
+}
+
+/// Returns whether only the colours are the reader's own, and otherwise the likely causes, the
+/// likeliest first: three at most, and none if none explains enough.
+#[must_use]
+pub fn likely(observation: &Observation) -> (bool, Vec<Cause>) {
+    let mut causes = observation.causes();
+    let first = causes.first();
+    if first
+        .is_some_and(|first| first.mutation.is_none() && first.explained >= OWN_COLOURS)
+    {
+        return (true, Vec::new());
+    }
+    let best = first.map_or(0.0, |first| first.explained);
+    let believed = BELIEVED.max(best - MUCH_LESS);
+    causes.retain(|cause| cause.mutation.is_some() && cause.explained >= believed);
+    causes.truncate(3);
+    (false, causes)
+}
+
+/// Returns whether the picture is the book's, scaled: nearly every pixel is between the least and
+/// the most of those that it may be a mean of.
+fn is_scaled(yours: &Image, book: &Image) -> bool {
+    let [w, h] = yours.size;
+    let [bw, bh] = book.size;
+    let around = |i: u32, n: u32, of: u32| {
+        let [from, to] = [i * of / n, ((i + 1) * of).div_ceil(n)];
+        from.saturating_sub(1)..(to + 1).min(of)
+    };
+    let is_between = |i: u32| {
+        let at = [i % w, i / w];
+        let pixel = yours.pixel(at);
+        (0..3).all(|c| {
+            let levels = around(at[1], h, bh)
+                .flat_map(|y| around(at[0], w, bw).map(move |x| book.pixel([x, y])[c]));
+            let (least, most) = levels.fold((255, 0), |(a, b), l| (l.min(a), l.max(b)));
+            (least.saturating_sub(4)..=most.saturating_add(4)).contains(&pixel[c])
+        })
+    };
+    let pixels = (0..w * h)
+        .into_par_iter()
+        .step_by((w * h) as usize / 8192 + 1);
+    let is_between: Vec<_> = pixels.map(is_between).collect();
+    let between = is_between.iter().filter(|is| **is).count();
+    between * 100 >= is_between.len() * 98
 }
 
 /// How many pixels differ, and where.
@@ -139,7 +204,10 @@ impl Comparison {
         let pixels = (0..w * h).into_par_iter().step_by(step).map(|i| {
             let at = [i % w, i / w];
             let [book, yours] = [reference.pixel(at, yours.size), yours.pixel(at)];
-            let worst = (0..3).map(|c| book[c].abs_diff(yours[c])).max().unwrap_or(0);
+            let worst = (0..3)
+                .map(|c| book[c].abs_diff(yours[c]))
+                .max()
+                .unwrap_or(0);
             (worst, at, [book, yours])
         });
         let pixels: Vec<_> = pixels.collect();
@@ -151,7 +219,8 @@ impl Comparison {
         // A hundredth of the pixels tells where.
         for (worst, at, _) in pixels.iter().step_by(pixels.len() / 8192 + 1) {
             let region = reference.figure.region(*at, yours.size);
-            let [all, differ] = objects.entry(region.map(|(index, ..)| index)).or_default();
+            let [all, differ] =
+                objects.entry(region.map(|(index, ..)| index)).or_default();
             *all += 1;
             *differ += u32::from(*worst > 0);
         }
@@ -192,12 +261,18 @@ impl Comparison {
 
 /// Saves the book's picture, the reader's and the differences side by side. Returns the line that
 /// says so.
-fn save_heat_map(yours: &Image, reference: Reference, folder: &Path, label: &str) -> String {
+fn save_heat_map(
+    yours: &Image,
+    reference: Reference,
+    folder: &Path,
+    label: &str,
+) -> String {
     let [w, h] = yours.size;
     let is_cheap = reference.has_size(yours.size)
         || reference.figure.cost() * (w as usize) * (h as usize) <= MAX_RAYS;
     if !is_cheap {
-        return "no heat map, as drawing the picture at your size would take long".to_string();
+        return "no heat map, as drawing the picture at your size would take long"
+            .to_string();
     }
     let rows: Vec<_> = (0..h)
         .into_par_iter()
@@ -205,7 +280,8 @@ fn save_heat_map(yours: &Image, reference: Reference, folder: &Path, label: &str
             let book = (0..w).map(move |x| reference.pixel([x, y], [w, h]));
             let book: Vec<_> = book.collect();
             let mine: Vec<_> = (0..w).map(|x| yours.pixel([x, y])).collect();
-            let heat: Vec<_> = book.iter().zip(&mine).map(|(&a, &b)| heat(a, b)).collect();
+            let heat: Vec<_> =
+                book.iter().zip(&mine).map(|(&a, &b)| heat(a, b)).collect();
             [book, mine, heat].concat()
         })
         .collect();
@@ -215,8 +291,14 @@ fn save_heat_map(yours: &Image, reference: Reference, folder: &Path, label: &str
     };
     let path = folder.join(format!("{label}--heat.png"));
     match fs::create_dir_all(folder).and_then(|()| image::write(&path, &map)) {
-        Ok(()) => format!("heat map: {} (the book's | yours | what differs)", path.display()),
-        Err(error) => format!("the heat map cannot be saved as {}: {error}", path.display()),
+        Ok(()) => format!(
+            "heat map: {} (the book's | yours | what differs)",
+            path.display()
+        ),
+        Err(error) => format!(
+            "the heat map cannot be saved as {}: {error}",
+            path.display()
+        ),
     }
 }
 

@@ -213,15 +213,10 @@ impl Tracer<'_> {
         let oc = ray.origin - centre;
         let roots = if matches!(
             self.fault,
-            Fault::TextbookSphere | Fault::NotNormalized(true) | Fault::RadiusUnsquared
+            Fault::TextbookSphere | Fault::NotNormalized(true)
         ) {
             let b = ray.direction.dot(oc);
-            let squared = if self.is(Fault::RadiusUnsquared) {
-                radius
-            } else {
-                radius * radius
-            };
-            let discriminant = b * b - (oc.dot(oc) - squared);
+            let discriminant = b * b - (oc.dot(oc) - radius * radius);
             if !(discriminant >= 0.0) {
                 return None;
             }
@@ -231,7 +226,11 @@ impl Tracer<'_> {
             let d_dot_d = ray.direction.dot(ray.direction);
             let t_closest = -ray.direction.dot(oc) / d_dot_d;
             let perpendicular = oc + t_closest * ray.direction;
-            let squared = radius * radius - perpendicular.dot(perpendicular);
+            let radius_squared = match self.fault {
+                Fault::RadiusUnsquared => radius,
+                _ => radius * radius,
+            };
+            let squared = radius_squared - perpendicular.dot(perpendicular);
             if !(squared >= 0.0) {
                 return None;
             }
@@ -448,7 +447,9 @@ impl Tracer<'_> {
                 Fault::LightsSwapped => (position, lights[count - 1 - i].1),
                 Fault::LightsFull => (position, 1.0),
                 Fault::LightsAveraged => (position, intensity / count as f32),
-                Fault::LightMirroredZ => (position * Vec3::new(1.0, 1.0, -1.0), intensity),
+                Fault::LightMirroredZ => {
+                    (position * Vec3::new(1.0, 1.0, -1.0), intensity)
+                }
                 Fault::LightsDirectional => (1e5 * position, intensity),
                 _ => (position, intensity),
             })
@@ -496,9 +497,6 @@ impl Tracer<'_> {
         }
         let mut visible = Vec3::ONE;
         for (index, object) in self.scene.objects.iter().enumerate() {
-            if self.is(Fault::ShadowIgnoresSpheres) && index % 2 == 1 {
-                continue;
-            }
             let is_clear = self.is_clear(index);
             if is_clear && self.is(Fault::GlassNoShadow) {
                 continue;
@@ -520,7 +518,13 @@ impl Tracer<'_> {
         visible
     }
 
-    fn reflected_light(&self, material: &Material, colour: Vec3, hit: &Hit, l: Vec3) -> [Vec3; 2] {
+    fn reflected_light(
+        &self,
+        material: &Material,
+        colour: Vec3,
+        hit: &Hit,
+        l: Vec3,
+    ) -> [Vec3; 2] {
         let n = hit.normal;
         let clamped = |cos: f32| {
             if matches!(self.fault, Fault::NotNormalized(_)) {
@@ -626,7 +630,13 @@ impl Tracer<'_> {
 
     // Paths.
 
-    fn radiance(&self, ray: &Ray, depth: u32, throughput: f32, is_secondary: bool) -> Vec3 {
+    fn radiance(
+        &self,
+        ray: &Ray,
+        depth: u32,
+        throughput: f32,
+        is_secondary: bool,
+    ) -> Vec3 {
         let scene = self.scene;
         if self.is_pool() {
             return self.pool_radiance(ray, depth, throughput);
@@ -663,7 +673,8 @@ impl Tracer<'_> {
         } else {
             self.shade(&hit)
         };
-        let (seen, keeps) = self.scattered(&hit, depth, throughput * transmitted.max_element());
+        let (seen, keeps) =
+            self.scattered(&hit, depth, throughput * transmitted.max_element());
         transmitted * (keeps * shaded + seen)
     }
 
@@ -674,7 +685,11 @@ impl Tracer<'_> {
         }
         if self.is(Fault::AbsorbsOutside) {
             let is_outside = hit.enters || !self.is_clear(hit.index);
-            let glass = self.scene.objects.iter().find(|o| o.material.absorption != Vec3::ZERO);
+            let glass = self
+                .scene
+                .objects
+                .iter()
+                .find(|o| o.material.absorption != Vec3::ZERO);
             let absorption = glass.map_or(Vec3::ZERO, |glass| glass.material.absorption);
             return if is_outside {
                 exp(absorption, hit.t)
@@ -694,15 +709,19 @@ impl Tracer<'_> {
             Fault::AbsorbsAtSurface => exp(absorption, 0.5),
             Fault::AbsorbsTwice => exp(absorption, 2.0 * distance),
             Fault::AbsorbsBaseTen => exp(absorption, std::f32::consts::LN_10 * distance),
-            Fault::AbsorbsLinearly => {
-                (Vec3::ONE - absorption * distance).max(Vec3::ZERO)
-            }
+            Fault::AbsorbsLinearly => (Vec3::ONE - absorption * distance).max(Vec3::ZERO),
             _ => exp(absorption, distance),
         }
     }
 
     /// Returns what one body transmits of a light.
-    fn transmitted_by(&self, object: &Object, ray: &Ray, index: usize, distance: f32) -> Vec3 {
+    fn transmitted_by(
+        &self,
+        object: &Object,
+        ray: &Ray,
+        index: usize,
+        distance: f32,
+    ) -> Vec3 {
         let Shape::Sphere { centre, radius } = object.shape else {
             return Vec3::ONE;
         };
@@ -723,10 +742,19 @@ impl Tracer<'_> {
                 }
             })
         };
-        inside.map_or(Vec3::ONE, |inside| self.absorbed(object.material.absorption, inside))
+        inside.map_or(Vec3::ONE, |inside| {
+            self.absorbed(object.material.absorption, inside)
+        })
     }
 
-    fn next(&self, hit: &Hit, weight: f32, direction: Vec3, depth: u32, throughput: f32) -> Vec3 {
+    fn next(
+        &self,
+        hit: &Hit,
+        weight: f32,
+        direction: Vec3,
+        depth: u32,
+        throughput: f32,
+    ) -> Vec3 {
         let throughput = throughput * weight;
         let min_throughput = match self.fault {
             Fault::None => MIN_THROUGHPUT,
@@ -783,7 +811,13 @@ impl Tracer<'_> {
         }
     }
 
-    fn through(&self, hit: &Hit, [inside, outside]: [f32; 2], depth: u32, throughput: f32) -> Vec3 {
+    fn through(
+        &self,
+        hit: &Hit,
+        [inside, outside]: [f32; 2],
+        depth: u32,
+        throughput: f32,
+    ) -> Vec3 {
         let inside = match self.fault {
             Fault::IndexOther(index) if inside > outside => index,
             _ => inside,
@@ -839,7 +873,7 @@ impl Tracer<'_> {
     /// Returns the reflectance of an interface.
     #[must_use]
     pub fn reflectance(&self, cos_i: f32, eta_i: f32, eta_t: f32) -> f32 {
-        if eta_i == eta_t {
+        if eta_i == eta_t && !self.is(Fault::EqualIndicesSparkle) {
             return 0.0;
         }
         let r0 = ((eta_i - eta_t) / (eta_i + eta_t)).powi(2);
@@ -860,12 +894,15 @@ impl Tracer<'_> {
             return schlick(cos_i.min(cos_t));
         }
         let parallel = (eta_t * cos_i - eta_i * cos_t) / (eta_t * cos_i + eta_i * cos_t);
-        let perpendicular = (eta_i * cos_i - eta_t * cos_t) / (eta_i * cos_i + eta_t * cos_t);
+        let perpendicular =
+            (eta_i * cos_i - eta_t * cos_t) / (eta_i * cos_i + eta_t * cos_t);
         let [p, s] = [parallel * parallel, perpendicular * perpendicular];
         match self.fault {
             Fault::OnePolarization(true) => p,
             Fault::OnePolarization(false) => s,
-            Fault::FresnelAverage => (0.5 * (parallel.abs() + perpendicular.abs())).min(1.0),
+            Fault::FresnelAverage => {
+                (0.5 * (parallel.abs() + perpendicular.abs())).min(1.0)
+            }
             _ => (p + s) / 2.0,
         }
     }
@@ -900,8 +937,15 @@ impl Tracer<'_> {
                 (_, Shape::Sphere { centre, radius }) => {
                     point.distance_squared(centre) < radius * radius
                 }
-                (_, Shape::Plane { point: origin, normal }) => {
-                    (point - origin).dot(normal) < 0.0
+                (
+                    _,
+                    Shape::Plane {
+                        point: origin,
+                        normal,
+                    },
+                ) => {
+                    !self.is(Fault::PlaneWithoutInside)
+                        && (point - origin).dot(normal) < 0.0
                 }
             };
             if is_in {
@@ -942,9 +986,9 @@ impl Tracer<'_> {
         for _ in 0..16 {
             let hit = self.nearest(&ray);
             let stretch = hit.as_ref().map_or(FAR, |hit| hit.t);
-            let known = ray
-                .from
-                .filter(|&(i, _)| matches!(self.scene.objects[i].shape, Shape::Plane { .. }));
+            let known = ray.from.filter(|&(i, _)| {
+                matches!(self.scene.objects[i].shape, Shape::Plane { .. })
+            });
             let (_, absorption) = self.medium(ray.at(0.5 * stretch), known);
             if absorption != Vec3::ZERO {
                 transmitted *= self.absorbed(absorption, stretch);
@@ -953,7 +997,13 @@ impl Tracer<'_> {
                 return transmitted * self.scene.background;
             };
             let optics = self.scene.objects[hit.index].material.optics;
-            let Optics::Glass { mut inside, mut outside } = optics else {
+            let clear = match optics {
+                Optics::Glass { inside, outside } if self.is_clear(hit.index) => {
+                    Some((inside, outside))
+                }
+                _ => None,
+            };
+            let Some((mut inside, mut outside)) = clear else {
                 let (seen, keeps) =
                     self.scattered(&hit, depth, throughput * transmitted.max_element());
                 return transmitted * (keeps * self.shade(&hit) + seen);
@@ -1020,7 +1070,8 @@ impl Tracer<'_> {
         let Some(hit) = self.nearest(ray) else {
             return backdrop;
         };
-        let Optics::Glass { inside, outside } = self.scene.objects[hit.index].material.optics
+        let Optics::Glass { inside, outside } =
+            self.scene.objects[hit.index].material.optics
         else {
             return backdrop;
         };

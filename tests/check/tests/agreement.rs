@@ -26,7 +26,10 @@ fn the_small_tracer_draws_the_pictures_of_the_book() {
             let mut worst = 0;
             for i in all {
                 let at = [i % w, i / w];
-                let [a, b] = [picture.pixel(at), figure.pixel(at, picture.size, Fault::None)];
+                let [a, b] = [
+                    picture.pixel(at),
+                    figure.pixel(at, picture.size, Fault::None),
+                ];
                 count += 1;
                 differ += u32::from(a != b);
                 worst = worst.max((0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0));

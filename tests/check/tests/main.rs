@@ -1,4 +1,5 @@
 //! The tests of `check`.
 
-
+mod agreement;
+mod program;
 mod rates;

@@ -1,11 +1,75 @@
-//! How often the cause is named first, and among the first three.
+//! How often the cause of a wrong picture is named first, and how often among the first three; and
+//! that no honest picture is accused.
+//!
+//! No picture is one that the matcher draws for itself: strengths, sizes and cameras are others, and
+//! some objects have other colours.
 
-use check::fault::Fault;
+use check::fault::Fault::{
+    self, Bias, Channels, ConstantReflectance, FocalTimes, Gamma, IndexOther, PixelPoint,
+    RadiusTimes, ShininessTimes, Truncated, WidePixel,
+};
 use check::figures::{Figure, figures};
 use check::image::{Image, book};
-use check::matching::Observation;
-use check::mutations::MUTATIONS;
+use check::matching::{Reference, guess, named};
+use check::mutations::{self, MUTATIONS, Mutation};
+use check::report::likely;
+use glam::{Vec2, Vec3, vec3};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// Views of most chapters; each mutation is tried on those that it changes.
+const VIEWS: [&str; 24] = [
+    "00-canvas--gradient",
+    "01-ray-casting--directions",
+    "01-ray-casting--sky-and-ground",
+    "02-sphere-hit--normals",
+    "02-sphere-hit--far-stable",
+    "03-plane-hit--flat",
+    "03-plane-hit--checker-in-plane",
+    "04-shadows--hard",
+    "04-shadows--beyond",
+    "05-shading--combined",
+    "05-shading--specular--knob-10",
+    "06-reflection--bouncing",
+    "06-reflection--facing-mirrors--knob-5",
+    "07-refraction--ball",
+    "07-refraction--bubble",
+    "08-fresnel--still-life",
+    "08-fresnel--leaving",
+    "09-anti-aliasing--light",
+    "09-anti-aliasing--lamp-grid",
+    "09-anti-aliasing--horizon-jittered",
+    "10-shadow-acne--from-surface",
+    "11-transparency--ball",
+    "11-transparency--displaced",
+    "12-packets--still-life--knob-4",
+];
+
+/// Other strengths than the table's.
+const OTHER_STRENGTHS: [(&str, &[Fault]); 11] = [
+    (
+        "pixel-corner",
+        &[
+            PixelPoint(Vec2::new(0.1, 0.0)),
+            PixelPoint(Vec2::new(0.9, 1.0)),
+        ],
+    ),
+    ("focal-length", &[FocalTimes(0.6), FocalTimes(1.6)]),
+    ("gamma", &[Gamma(1.7), Gamma(1.9)]),
+    ("radius", &[RadiusTimes(0.6), RadiusTimes(1.7)]),
+    ("bias", &[Bias(0.2), Bias(0.05)]),
+    ("shininess", &[ShininessTimes(0.3), ShininessTimes(3.0)]),
+    ("index", &[IndexOther(1.25), IndexOther(1.85)]),
+    (
+        "constant-reflectance",
+        &[ConstantReflectance(0.07), ConstantReflectance(0.3)],
+    ),
+    ("wide-pixel", &[WidePixel(2.5), WidePixel(4.0)]),
+    ("channels", &[Channels([1, 2, 0])]),
+    ("truncated", &[Truncated(255.5)]),
+];
+
+const SIZES: [[u32; 2]; 4] = [[160, 120], [200, 112], [120, 120], [144, 108]];
 
 fn drawn(figure: &Figure, size: [u32; 2], fault: Fault) -> Image {
     let [w, h] = size;
@@ -17,36 +81,345 @@ fn drawn(figure: &Figure, size: [u32; 2], fault: Fault) -> Image {
     }
 }
 
-#[test]
-fn explore() {
-    let figures = figures(book().expect("pictures"));
-    let names: &[&str] = &["02-sphere-hit--normals", "03-plane-hit--flat", "04-shadows--hard", "04-shadows--beyond", "05-shading--combined", "06-reflection--bouncing", "06-reflection--facing-mirrors--knob-5", "07-refraction--ball","07-refraction--bubble", "08-fresnel--still-life", "08-fresnel--reflectance", "09-anti-aliasing--grid--knob-2", "10-shadow-acne--from-surface", "11-transparency--ball", "11-transparency--displaced", "12-packets--still-life--knob-4"];
-    let size = [120, 90];
-    let (mut first, mut third, mut all) = (0, 0, 0);
-    for mutation in MUTATIONS {
-        let mut seen = 0;
-        for name in names.iter().copied() {
-            let figure = figures.iter().find(|f| f.names.iter().any(|n| n == name)).expect(name);
-            let fault = mutation.faults[0];
-            let right = drawn(figure, size, Fault::None);
-            let wrong = drawn(figure, size, fault);
-            let differ = right.levels.iter().zip(&wrong.levels).filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 3)).count();
-            if (differ as f64) < 0.003 * 120.0 * 90.0 {
-                continue;
+/// Returns the share of the pixels that differ visibly.
+fn visible(a: &Image, b: &Image) -> f64 {
+    let pairs = a.levels.iter().zip(&b.levels);
+    let differ = pairs.filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 1));
+    differ.count() as f64 / a.levels.len() as f64
+}
+
+/// A mutation is held back from the tuning if its place in the table is a multiple of five.
+fn is_held_back(mutation: &Mutation) -> bool {
+    let place = MUTATIONS.iter().position(|row| row.name == mutation.name);
+    place.expect("a row of the table") % 5 == 0
+}
+
+/// How well the causes of some pictures are named.
+#[derive(Default)]
+struct Rates {
+    all: usize,
+    first: usize,
+    three: usize,
+}
+
+impl Rates {
+    fn add(&mut self, rank: Option<usize>) {
+        self.all += 1;
+        self.first += usize::from(rank == Some(0));
+        self.three += usize::from(rank.is_some());
+    }
+
+    fn check(&self, which: &str) {
+        let percent = |n: usize| 100.0 * n as f64 / self.all as f64;
+        let [first, three] = [self.first, self.three].map(percent);
+        println!(
+            "{which}: {} pictures, {first:.1} % named first, {three:.1} % among three",
+            self.all
+        );
+        assert!(
+            first >= 85.0 && three >= 95.0,
+            "{which}: {first:.1} %, {three:.1} %"
+        );
+    }
+}
+
+/// A wrong picture.
+struct Case {
+    mutation: &'static Mutation,
+    view: &'static str,
+    how: &'static str,
+    picture: Image,
+}
+
+/// Returns the wrong pictures of a mutation: of each of its views with each of the ways in which a
+/// reader's picture is not like ours, in turns; `most` views.
+fn cases(row: usize, most: usize, figures: &[Figure]) -> (Vec<Case>, usize) {
+    let mutation = &MUTATIONS[row];
+    let others = OTHER_STRENGTHS
+        .iter()
+        .find(|(name, _)| *name == mutation.name);
+    let faults = others.map_or(mutation.faults, |(_, faults)| faults);
+    let mut cases = Vec::new();
+    let mut chapters = BTreeSet::new();
+    for step in 0..VIEWS.len() {
+        // Each mutation begins elsewhere.
+        let view = VIEWS[(step * 5 + row) % VIEWS.len()];
+        let figure = figures.iter().find(|figure| figure.names[0] == view);
+        let figure = figure.expect(view);
+        let size = SIZES[(row + cases.len()) % SIZES.len()];
+        let fault = faults[cases.len() % faults.len()];
+        let (how, theirs) = match (row + cases.len()) % 3 {
+            // Another arithmetic: no rounding is the same.
+            0 => (
+                "ported",
+                figure.from_elsewhere(vec3(1e-5, -2e-5, 1e-5), Vec3::ZERO),
+            ),
+            1 => ("same", figure.clone()),
+            _ => {
+                let colour = vec3(0.8, 0.6, 0.1);
+                let coloured = figure
+                    .in_colour(3, colour)
+                    .map(|theirs| ("coloured", theirs));
+                coloured.unwrap_or_else(|| ("same", figure.clone()))
             }
-            seen += 1;
-            let observation = Observation::new(figure, &wrong, |at| right.pixel(at), 400);
-            let causes = observation.causes();
-            let rank = causes.iter().position(|c| c.mutation.is_some_and(|m| m.name == mutation.name));
-            all += 1;
-            if rank == Some(0) { first += 1; }
-            if rank.is_some_and(|r| r < 3) { third += 1; }
-            if rank != Some(0) {
-                let top: Vec<_> = causes.iter().take(4).map(|c| format!("{} {:.3}", c.mutation.map_or("colours", |m| m.name), c.explained)).collect();
-                println!("{:22} {name:30} {rank:?} {}", mutation.name, top.join(", "));
+        };
+        let [right, wrong] =
+            [Fault::None, fault].map(|fault| drawn(&theirs, size, fault));
+        // What cannot be seen cannot be named.
+        if visible(&right, &wrong) < 0.003 {
+            continue;
+        }
+        chapters.insert(&view[..2]);
+        if cases.len() < most {
+            cases.push(Case {
+                mutation,
+                view,
+                how,
+                picture: wrong,
+            });
+        } else if chapters.len() > 1 {
+            break;
+        }
+    }
+    (cases, chapters.len())
+}
+
+fn rank(case: &Case, reference: Reference) -> (Option<usize>, String) {
+    let (_, causes) = likely(&reference.observe(&case.picture, 300));
+    let names: Vec<_> = causes
+        .iter()
+        .filter_map(|cause| Some((cause.mutation?.name, cause.explained)))
+        .collect();
+    let rank = names
+        .iter()
+        .position(|(name, _)| *name == case.mutation.name);
+    (rank, format!("{names:.3?}"))
+}
+
+fn check_rates(most: usize, guesses: bool) {
+    let book = book().expect("the book's pictures");
+    let figures = figures(book.clone());
+    let results: Vec<_> = (0..MUTATIONS.len())
+        .into_par_iter()
+        .map(|row| {
+            let (cases, chapters) = cases(row, most, &figures);
+            let ranks = cases.iter().map(|case| {
+                let reference = if guesses {
+                    guess(&case.picture, &figures, &book)
+                } else {
+                    named(case.view, &figures, &book)
+                };
+                let reference = reference.expect("a picture of the book");
+                let (rank, names) = rank(case, reference);
+                if rank != Some(0) {
+                    println!(
+                        "{} {} {} as {}: {names}",
+                        case.mutation.name, case.view, case.how, reference.name
+                    );
+                }
+                rank
+            });
+            (row, ranks.collect::<Vec<_>>(), chapters)
+        })
+        .collect();
+    let [mut tuned, mut held_back] = [Rates::default(), Rates::default()];
+    let mut in_two_chapters = 0;
+    for (row, ranks, chapters) in results {
+        let mutation = &MUTATIONS[row];
+        in_two_chapters += usize::from(chapters >= 2);
+        if chapters < 2 {
+            println!("{} shows in {chapters} chapters", mutation.name);
+        }
+        let rates = if is_held_back(mutation) {
+            &mut held_back
+        } else {
+            &mut tuned
+        };
+        ranks.into_iter().for_each(|rank| rates.add(rank));
+    }
+    println!(
+        "{} mutations, {in_two_chapters} of them in two chapters or more",
+        MUTATIONS.len()
+    );
+    assert!(in_two_chapters >= 60);
+    tuned.check("tuned");
+    held_back.check("held back");
+}
+
+/// At least 85 % of the causes are named first, and 95 % among the first three: of the mutations by
+/// which the matcher was tuned, and of the fifth that was held back.
+#[test]
+fn causes_are_named() {
+    check_rates(2, false);
+}
+
+/// The same on all views, and the picture of the book that is meant must be found as well. It takes
+/// minutes.
+#[test]
+#[ignore = "it takes minutes"]
+fn causes_are_named_on_all_views() {
+    check_rates(usize::MAX, true);
+}
+
+/// The book's own pictures of bugs, drawn by its chapters.
+#[test]
+fn the_bugs_of_the_book_are_named() {
+    let book = book().expect("the book's pictures");
+    let figures = figures(book.clone());
+    let bugs = [
+        (
+            "02-sphere-hit--far-textbook",
+            "02-sphere-hit--far-stable",
+            "textbook-sphere",
+        ),
+        (
+            "03-plane-hit--checker-in-space",
+            "03-plane-hit--checker-in-plane",
+            "checker-in-space",
+        ),
+        (
+            "04-shadows--beyond-buggy",
+            "04-shadows--beyond",
+            "beyond-light",
+        ),
+        ("04-shadows--none", "04-shadows--hard", "no-shadows"),
+        (
+            "06-reflection--one-bounce",
+            "06-reflection--bouncing",
+            "depth-one",
+        ),
+        (
+            "06-reflection--inside-textbook",
+            "06-reflection--inside-stable",
+            "mirror-length",
+        ),
+        (
+            "07-refraction--failed-ratio",
+            "07-refraction--ball",
+            "ratio-same",
+        ),
+        (
+            "07-refraction--failed-total",
+            "07-refraction--bubble",
+            "total-black",
+        ),
+        (
+            "08-fresnel--leaving-schlick",
+            "08-fresnel--leaving",
+            "schlick-wrong-cosine",
+        ),
+        (
+            "09-anti-aliasing--levels",
+            "09-anti-aliasing--light",
+            "mean-of-levels",
+        ),
+        (
+            "09-anti-aliasing--lamp-clamped",
+            "09-anti-aliasing--lamp-grid",
+            "clamped-samples",
+        ),
+        (
+            "10-shadow-acne--acne",
+            "10-shadow-acne--from-surface",
+            "no-bias",
+        ),
+        (
+            "10-shadow-acne--fixed--knob-0_001",
+            "10-shadow-acne--from-surface--knob-0_001",
+            "bias",
+        ),
+        (
+            "11-transparency--alone",
+            "11-transparency--displaced",
+            "alone",
+        ),
+    ];
+    for (bug, cure, name) in bugs {
+        let mutation = mutations::named(name).expect(name);
+        let picture = named(bug, &figures, &book).expect(bug).book.clone();
+        let case = Case {
+            mutation,
+            view: cure,
+            how: "book",
+            picture,
+        };
+        let (rank, names) = rank(&case, named(cure, &figures, &book).expect(cure));
+        assert_eq!(rank, Some(0), "{bug}: {names}");
+    }
+}
+
+/// Another arithmetic, another camera, other colours: nobody is accused of a mistake.
+#[test]
+fn honest_pictures_are_not_accused() {
+    let book = book().expect("the book's pictures");
+    let figures = figures(book.clone());
+    let colours = [
+        vec3(0.8, 0.6, 0.1),
+        vec3(0.05, 0.05, 0.05),
+        vec3(0.2, 0.9, 0.9),
+    ];
+    let mut accused = Vec::new();
+    let mut count = 0;
+    for (i, view) in VIEWS.iter().enumerate() {
+        let figure = figures.iter().find(|figure| figure.names[0] == *view);
+        let figure = figure.expect(view);
+        let mut honest = vec![
+            ("the same", figure.clone()),
+            (
+                "another arithmetic",
+                figure.from_elsewhere(vec3(1e-5, 0.0, -1e-5), Vec3::ZERO),
+            ),
+        ];
+        // Of a horizon alone nobody can tell what has moved it, and a ball from afar is soon out of
+        // sight.
+        if ![
+            "01-ray-casting--sky-and-ground",
+            "02-sphere-hit--far-stable",
+        ]
+        .contains(view)
+        {
+            honest.extend([
+                (
+                    "a camera to the left",
+                    figure.from_elsewhere(vec3(-1.5, 0.5, 0.0), vec3(1.0, 0.0, 0.0)),
+                ),
+                (
+                    "a camera above",
+                    figure.from_elsewhere(vec3(0.3, 1.5, 0.4), vec3(0.0, -1.2, 0.0)),
+                ),
+                (
+                    "a camera turned",
+                    figure.from_elsewhere(Vec3::ZERO, vec3(1.1, 0.2, 0.0)),
+                ),
+            ]);
+        }
+        for (j, &colour) in colours.iter().enumerate() {
+            honest.extend(
+                figure
+                    .in_colour(1 + j, colour)
+                    .map(|figure| ("a colour", figure)),
+            );
+        }
+        let many = (0..6).try_fold(figure.clone(), |figure, object| {
+            figure.in_colour(object, colours[object % 3])
+        });
+        honest.extend(many.map(|figure| ("all colours", figure)));
+        honest.extend(
+            figure
+                .in_colour(0, colours[0])
+                .map(|figure| ("a floor", figure)),
+        );
+        for (how, theirs) in honest {
+            let picture = drawn(&theirs, SIZES[i % SIZES.len()], Fault::None);
+            let reference = named(view, &figures, &book).expect(view);
+            let (_, causes) = likely(&reference.observe(&picture, 300));
+            count += 1;
+            if let Some(cause) = causes.first() {
+                let name = cause.mutation.map_or("", |row| row.name);
+                accused.push(format!("{view}, {how}: {name} {:.2}", cause.explained));
             }
         }
-        if seen < 2 { println!("ONLY {seen}: {}", mutation.name); }
     }
-    println!("{first} {third} of {all}");
+    println!("{count} honest pictures");
+    assert!(accused.is_empty(), "{accused:#?}");
 }

@@ -1,0 +1,296 @@
+//! The program: what it says of bad input and of good, on one screen.
+
+use check::fault::Fault;
+use check::figures::figures;
+use check::image::{Image, book, write};
+use harness::Numbers;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn check(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
+    command.args(arguments).current_dir(folder);
+    command.output().expect("the program runs")
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+fn image(size: [u32; 2]) -> Image {
+    Image {
+        size,
+        levels: vec![[9, 9, 9]; (size[0] * size[1]) as usize],
+    }
+}
+
+fn of_book(name: &str) -> Image {
+    let pictures = book().expect("the book's pictures");
+    let picture = pictures.into_iter().find(|(other, _)| other == name);
+    picture.expect(name).1
+}
+
+/// Bad input is refused with exit code 2 and one line that says what would be right.
+#[test]
+fn bad_input_is_refused_in_one_line() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    fs::create_dir(path("folder.png")).expect("a folder");
+    fs::write(path("photo.jpg"), b"\xff\xd8\xff\xe0....JFIF").expect("a JPEG");
+    fs::write(path("empty.png"), b"").expect("an empty file");
+    fs::write(path("words.png"), b"not a picture").expect("a text");
+    write(&path("one.png"), &image([1, 1])).expect("a PNG");
+    write(&path("good.png"), &image([64, 48])).expect("a PNG");
+    let good = fs::read(path("good.png")).expect("it was written");
+    fs::write(path("cut.png"), &good[..good.len() - 20]).expect("half a PNG");
+    fs::write(path("head.png"), &good[..20]).expect("less of a PNG");
+    let mut changed = good.clone();
+    changed[50] ^= 0xff;
+    fs::write(path("changed.png"), changed).expect("a damaged PNG");
+    // The header alone says 16384x16384: nothing of it must be read, nor room be made for it.
+    let mut huge = good.clone();
+    huge[16..24].copy_from_slice(&[0, 0, 64, 0, 0, 0, 64, 0]);
+    let crc = png_crc(&huge[12..29]);
+    huge[29..33].copy_from_slice(&crc.to_be_bytes());
+    fs::write(path("huge.png"), huge).expect("a large PNG");
+    for (arguments, words) in [
+        (&[][..], "check mine.png"),
+        (&["none.png"], "there is no such file"),
+        (&["99"], "a chapter's number"),
+        (&["folder.png"], "name one PNG in it"),
+        (&["photo.jpg"], "a JPEG"),
+        (&["empty.png"], "save the picture as a PNG"),
+        (&["words.png"], "save the picture as a PNG"),
+        (&["cut.png"], "damaged"),
+        (&["head.png"], "damaged"),
+        (&["changed.png"], "damaged"),
+        (&["one.png"], "each side must be from 32 to 4096"),
+        (&["huge.png"], "16384x16384 pixels cannot be compared"),
+        (
+            &["good.png", "--picture", "06-reflection--bouncy"],
+            "06-reflection--bouncing",
+        ),
+        (
+            &["06", "--picture", "06-reflection--bouncing"],
+            "--picture is for a PNG",
+        ),
+        (&["good.png", "--pictures"], "check mine.png"),
+    ] {
+        let output = check(folder.path(), arguments);
+        let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {stderr}");
+        assert!(
+            stderr.starts_with("error: ") && stderr.contains(words),
+            "{arguments:?}: {stderr}"
+        );
+        assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+/// The checksum of a PNG's chunk.
+fn png_crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
+            (crc >> 1) ^ if crc & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
+    })
+}
+
+fn said(folder: &Path, arguments: &[&str], code: i32) -> String {
+    let output = check(folder, arguments);
+    let stdout = String::from_utf8(output.stdout).expect("UTF-8");
+    let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(
+        output.status.code(),
+        Some(code),
+        "{arguments:?}: {stdout}{stderr}"
+    );
+    assert!(
+        stdout.lines().count() <= 24,
+        "{arguments:?}: more than a screen\n{stdout}"
+    );
+    stdout
+}
+
+/// Writes a picture as a PNG of another kind.
+fn write_as(path: &Path, image: &Image, colour: png::ColorType, depth: png::BitDepth) {
+    let file = fs::File::create(path).expect("a file");
+    let mut encoder = png::Encoder::new(file, image.size[0], image.size[1]);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    let mut bytes = Vec::new();
+    for pixel in &image.levels {
+        let mut channels = pixel.to_vec();
+        if colour == png::ColorType::Rgba {
+            channels.push(255);
+        }
+        for level in channels {
+            bytes.push(level);
+            if depth == png::BitDepth::Sixteen {
+                bytes.push(level);
+            }
+        }
+    }
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&bytes).expect("pixels");
+}
+
+/// Equal pictures are, whatever their colour depth; and it is said.
+#[test]
+fn equal_pictures_are_equal_in_every_kind_of_png() {
+    let folder = folder();
+    let picture = of_book("05-shading--combined");
+    for (colour, depth, words) in [
+        (
+            png::ColorType::Rgb,
+            png::BitDepth::Eight,
+            "equal to the book's 05-shading--combined",
+        ),
+        (
+            png::ColorType::Rgb,
+            png::BitDepth::Sixteen,
+            "16 bits a channel",
+        ),
+        (png::ColorType::Rgba, png::BitDepth::Eight, "alpha channel"),
+    ] {
+        write_as(&folder.path().join("mine.png"), &picture, colour, depth);
+        let stdout = said(folder.path(), &["mine.png"], 0);
+        assert!(
+            stdout.contains(words) && stdout.contains("equal to"),
+            "{stdout}"
+        );
+    }
+}
+
+/// Linear light and gamma 2.2 in place of sRGB, and another size, are recognised, without being told
+/// which picture it is.
+#[test]
+fn encodings_and_sizes_are_recognised() {
+    let folder = folder();
+    let pictures = book().expect("the book's pictures");
+    let figures = figures(pictures);
+    let figure = figures
+        .iter()
+        .find(|f| f.name() == "08-fresnel--still-life")
+        .expect("a figure");
+    let drawn = |size: [u32; 2], fault| {
+        let [w, h] = size;
+        let levels = (0..w * h).map(|i| figure.pixel([i % w, i / w], size, fault));
+        Image {
+            size,
+            levels: levels.collect(),
+        }
+    };
+    for (fault, code, words) in [
+        (
+            Fault::Linear,
+            1,
+            "1. light was written into the file without encoding",
+        ),
+        (Fault::Gamma(2.2), 1, "1. light was encoded by a power"),
+        (Fault::None, 0, "which is 800x600: drawn anew at your size"),
+    ] {
+        write(&folder.path().join("mine.png"), &drawn([240, 180], fault)).expect("a PNG");
+        let stdout = said(folder.path(), &["mine.png"], code);
+        assert!(
+            stdout.contains("08-fresnel--still-life") && stdout.contains(words),
+            "{stdout}"
+        );
+    }
+}
+
+/// What the page shows is what the program says, of a picture with the highlights in the wrong
+/// colour.
+#[test]
+fn the_page_shows_what_the_program_says() {
+    let folder = folder();
+    let pictures = book().expect("the book's pictures");
+    let figures = figures(pictures);
+    let figure = figures
+        .iter()
+        .find(|f| f.name() == "07-refraction--ball")
+        .expect("a figure");
+    let size = [320, 240];
+    let levels =
+        (0..320 * 240).map(|i| figure.pixel([i % 320, i / 320], size, Fault::RatioSame));
+    let mine = Image {
+        size,
+        levels: levels.collect(),
+    };
+    write(&folder.path().join("mine.png"), &mine).expect("a PNG");
+    let stdout = said(
+        folder.path(),
+        &["mine.png", "--picture", "07-refraction--ball"],
+        1,
+    );
+    let map = stdout
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("heat map: "));
+    let map = map
+        .and_then(|line| line.split(" (").next())
+        .expect("a heat map");
+    assert_eq!(Path::new(map).extension(), Some(OsStr::new("png")));
+    assert_eq!(fs::read(map).expect("the heat map")[..4], *b"\x89PNG");
+    // Where the project is differs from computer to computer.
+    let place = map.find("target").expect("it is in target");
+    let stdout = stdout.replace(&map[..place], "");
+    let mut numbers = Numbers::default();
+    numbers.note(
+        "example",
+        format!("```console\n{}```", stdout.replace('\\', "/")),
+    );
+    numbers.check("am-i-right");
+}
+
+/// A chapter is drawn by its own program and compared, each of its pictures.
+#[test]
+fn a_chapter_is_compared() {
+    let folder = folder();
+    let stdout = said(folder.path(), &["01"], 0);
+    assert_eq!(
+        stdout,
+        "01-ray-casting: 4 pictures are equal to the book's\n"
+    );
+}
+
+/// Every page that a cause refers to exists, and has the heading.
+#[test]
+fn causes_refer_to_places_of_the_book() {
+    let pages = check::figures::folder().join("..");
+    for row in check::mutations::MUTATIONS {
+        let (page, anchor) = row.page.split_once('#').unwrap_or((row.page, ""));
+        let text = fs::read_to_string(pages.join(page)).expect(page);
+        // As mdBook makes anchors of headings.
+        let anchors = text.lines().filter_map(|line| {
+            let heading = line.trim_start_matches('#');
+            (heading.len() < line.len()).then(|| {
+                let kept = heading.trim().to_lowercase();
+                let kept = kept
+                    .chars()
+                    .filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+                kept.collect::<String>().replace(' ', "-")
+            })
+        });
+        assert!(
+            anchor.is_empty() || anchors.into_iter().any(|a| a == anchor),
+            "{}",
+            row.page
+        );
+    }
+}
+
+/// Names and causes are different, so that a report is about one thing.
+#[test]
+fn rows_are_different() {
+    for (i, row) in check::mutations::MUTATIONS.iter().enumerate() {
+        let mut others = check::mutations::MUTATIONS[..i].iter();
+        assert!(
+            !others.any(|other| other.name == row.name || other.cause == row.cause),
+            "{}",
+            row.name
+        );
+    }
+}
