@@ -62,6 +62,8 @@ pub struct Observation<'a> {
     figure: &'a Figure,
     size: [u32; 2],
     samples: Vec<Sample>,
+    /// More of them, regardless of whether they differ: for what is compared region by region.
+    evenly: Vec<Sample>,
 }
 
 impl<'a> Observation<'a> {
@@ -92,6 +94,16 @@ impl<'a> Observation<'a> {
                 (at, yours.pixel(at), book(at))
             })
             .collect();
+        let sample = |(at, yours, book), weight| Sample {
+            at,
+            weight,
+            yours,
+            book,
+            region: figure.region(at, size),
+        };
+        let few = if figure.cost() > 4 { 256 } else { 1536 };
+        let evenly = pixels.iter().step_by((pixels.len() / few).max(1));
+        let evenly = evenly.map(|&pixel| sample(pixel, 1.0)).collect();
         let (differ, equal): (Vec<_>, Vec<_>) = pixels
             .into_iter()
             .partition(|(_, yours, book)| yours != book);
@@ -99,20 +111,15 @@ impl<'a> Observation<'a> {
         for part in [differ, equal] {
             let step = (part.len() / (count / 2)).max(1);
             for chunk in part.chunks(step) {
-                let (at, yours, book) = chunk[scatter(chunk.len()) % chunk.len()];
-                samples.push(Sample {
-                    at,
-                    weight: chunk.len() as f32,
-                    yours,
-                    book,
-                    region: figure.region(at, size),
-                });
+                let pixel = chunk[scatter(chunk.len()) % chunk.len()];
+                samples.push(sample(pixel, chunk.len() as f32));
             }
         }
         Self {
             figure,
             size,
             samples,
+            evenly,
         }
     }
 
@@ -151,7 +158,7 @@ impl<'a> Observation<'a> {
             .sum();
         let by_pixel = 1.0 - left / self.total();
         if has_speckles(fault) {
-            by_pixel.max(SPECKLES * self.explained_by_region(drawn))
+            by_pixel.max(SPECKLES * self.explained_by_region(fault))
         } else {
             by_pixel
         }
@@ -159,7 +166,7 @@ impl<'a> Observation<'a> {
 
     /// Speckles are nowhere the same twice: of each region, an object in the light of some of the
     /// lights, only the mean and the spread are compared.
-    fn explained_by_region(&self, drawn: &[[u8; 3]]) -> f32 {
+    fn explained_by_region(&self, fault: Fault) -> f32 {
         #[derive(Default)]
         struct Sums {
             weight: f32,
@@ -168,7 +175,8 @@ impl<'a> Observation<'a> {
             drawn: [Vec3; 2],
         }
         let mut regions: BTreeMap<_, Sums> = BTreeMap::new();
-        for (sample, &drawn) in self.samples.iter().zip(drawn) {
+        for sample in &self.evenly {
+            let drawn = self.figure.pixel(sample.at, self.size, fault);
             let [x, y] = sample.at;
             // Where nothing is known of the scene a tile is a region.
             let tile = if self.figure.has_scene() {
@@ -304,6 +312,7 @@ impl<'a> Observation<'a> {
             figure: self.figure,
             size: self.size,
             samples: self.samples.iter().copied().step_by(step).collect(),
+            evenly: self.evenly.clone(),
         }
     }
 

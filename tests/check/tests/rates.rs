@@ -81,11 +81,16 @@ fn drawn(figure: &Figure, size: [u32; 2], fault: Fault) -> Image {
     }
 }
 
-/// Returns the share of the pixels that differ visibly.
-fn visible(a: &Image, b: &Image) -> f64 {
-    let pairs = a.levels.iter().zip(&b.levels);
-    let differ = pairs.filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 1));
-    differ.count() as f64 / a.levels.len() as f64
+/// Returns whether a fault can be seen, at every 37th pixel.
+fn is_visible(figure: &Figure, size: [u32; 2], fault: Fault) -> bool {
+    let [w, h] = size;
+    let pixels = (0..w * h).step_by(37).map(|i| [i % w, i / w]);
+    let differ = |&at: &[u32; 2]| {
+        let [right, wrong] =
+            [Fault::None, fault].map(|fault| figure.pixel(at, size, fault));
+        (0..3).any(|c| right[c].abs_diff(wrong[c]) > 1)
+    };
+    pixels.filter(differ).count() >= 2
 }
 
 /// A mutation is held back from the tuning if its place in the table is a multiple of five.
@@ -163,10 +168,8 @@ fn cases(row: usize, most: usize, figures: &[Figure]) -> (Vec<Case>, usize) {
                 coloured.unwrap_or_else(|| ("same", figure.clone()))
             }
         };
-        let [right, wrong] =
-            [Fault::None, fault].map(|fault| drawn(&theirs, size, fault));
         // What cannot be seen cannot be named.
-        if visible(&right, &wrong) < 0.003 {
+        if !is_visible(&theirs, size, fault) {
             continue;
         }
         chapters.insert(&view[..2]);
@@ -175,7 +178,7 @@ fn cases(row: usize, most: usize, figures: &[Figure]) -> (Vec<Case>, usize) {
                 mutation,
                 view,
                 how,
-                picture: wrong,
+                picture: drawn(&theirs, size, fault),
             });
         } else if chapters.len() > 1 {
             break;
@@ -351,6 +354,18 @@ fn the_bugs_of_the_book_are_named() {
 /// Another arithmetic, another camera, other colours: nobody is accused of a mistake.
 #[test]
 fn honest_pictures_are_not_accused() {
+    check_honest(3);
+}
+
+/// The same on all views.
+#[test]
+#[ignore = "it takes a minute"]
+fn honest_pictures_of_all_views_are_not_accused() {
+    check_honest(1);
+}
+
+/// Checks the honest pictures of every so many views.
+fn check_honest(step: usize) {
     let book = book().expect("the book's pictures");
     let figures = figures(book.clone());
     let colours = [
@@ -360,7 +375,7 @@ fn honest_pictures_are_not_accused() {
     ];
     let mut accused = Vec::new();
     let mut count = 0;
-    for (i, view) in VIEWS.iter().enumerate() {
+    for (i, view) in VIEWS.iter().enumerate().step_by(step) {
         let figure = figures.iter().find(|figure| figure.names[0] == *view);
         let figure = figure.expect(view);
         let mut honest = vec![
