@@ -12,7 +12,7 @@ use crate::mutations::{MUTATIONS, Mutation};
 use crate::tracer::Region;
 use glam::Vec3;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A pixel of the reader's that is compared.
 #[derive(Clone, Copy)]
@@ -208,18 +208,17 @@ impl<'a> Observation<'a> {
         1.0 - left / all.max(1e-6)
     }
 
-    /// Returns the colours of the reader's own that would explain what a drawing with a fault does
-    /// not: for each part of the scene by how much its colour is multiplied; those that matter most,
-    /// `most` of them.
+    /// Returns the part of the scene whose colour, if it is the reader's own, explains most of what
+    /// a drawing of a `figure` with a fault does not, and by how much that colour is multiplied.
     ///
     /// Light is linear in a colour c: it is B + c (D − B), where D is drawn with c = 1 and B with
     /// c = 0. So highlights, and what a mirror shows, do not matter.
-    fn own_ratios(
+    fn own_ratio(
         &self,
+        figure: &Figure,
         fault: Fault,
         drawn: &[[u8; 3]],
-        most: usize,
-    ) -> Vec<(Part, Vec3)> {
+    ) -> Option<(Part, Vec3)> {
         let light = |pixel: [u8; 3]| {
             Vec3::from(pixel.map(|l| decode(f64::from(l) / 255.0) as f32))
         };
@@ -239,7 +238,7 @@ impl<'a> Observation<'a> {
             if before == 0.0 {
                 continue;
             }
-            let Some(black) = self.figure.with_colours(&[(part, Vec3::ZERO)]) else {
+            let Some(black) = figure.with_colours(&[(part, Vec3::ZERO)]) else {
                 continue;
             };
             let lights: Vec<_> = indices
@@ -276,13 +275,12 @@ impl<'a> Observation<'a> {
                 gains.push((before - after, (part, ratios)));
             }
         }
-        gains.sort_by(|a, b| b.0.total_cmp(&a.0));
-        gains.truncate(most);
-        gains.into_iter().map(|(_, ratios)| ratios).collect()
+        let best = gains.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        best.map(|(_, ratio)| ratio)
     }
 
-    /// Returns how well a fault explains the difference, with colours of the reader's own besides.
-    /// `None` if there are none of these.
+    /// Returns how well a fault explains the difference with colours of the reader's own besides,
+    /// and their number, at most `most`. `None` if there are none.
     fn with_own_colours(
         &self,
         fault: Fault,
@@ -292,17 +290,25 @@ impl<'a> Observation<'a> {
         if !self.figure.has_scene() {
             return None;
         }
-        let ratios = self.own_ratios(fault, drawn, most);
-        if ratios.is_empty() {
-            return None;
+        let mut figure = self.figure.clone();
+        let mut drawn = drawn.to_vec();
+        let mut parts = BTreeSet::new();
+        // One after the other, as each is seen in the mirrors too. A part may come twice, since the
+        // first estimate of its colour is one of many.
+        while parts.len() < most
+            && let Some((part, ratio)) = self.own_ratio(&figure, fault, &drawn)
+        {
+            figure = figure.with_colours(&[(part, ratio)])?;
+            let pixels = self.samples.iter();
+            drawn = pixels
+                .map(|s| figure.pixel(s.at, self.size, fault))
+                .collect();
+            if !parts.insert(part) {
+                break;
+            }
         }
-        let figure = self.figure.with_colours(&ratios)?;
-        let pixels = self
-            .samples
-            .iter()
-            .map(|s| figure.pixel(s.at, self.size, fault));
-        let pixels: Vec<_> = pixels.collect();
-        Some((self.explained(fault, &pixels, TOLERANCE), ratios.len()))
+        let explained = self.explained(fault, &drawn, TOLERANCE);
+        (!parts.is_empty()).then_some((explained, parts.len()))
     }
 
     /// Returns every so many samples, so that there are about `count`.
@@ -453,7 +459,7 @@ impl<'a> Observation<'a> {
             let best_left = 1.0
                 - best
                 - COST_OF_COLOUR * causes.first().map_or(0, |c| c.recoloured) as f32;
-            let is_all = left < 0.03 && direct < NEARLY_ALL;
+            let is_all = left < 0.08 && direct < NEARLY_ALL;
             if is_all || (best < NEARLY_ALL && best_left > 0.4 * left) {
                 causes.insert(0, own);
             }

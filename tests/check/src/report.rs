@@ -1,6 +1,5 @@
 //! What is said about a picture, on one screen.
 
-use crate::fault::Fault;
 use crate::figures::Figure;
 use crate::image::{self, Image};
 use crate::matching::{Cause, Observation, Reference, equal, guess, named};
@@ -12,7 +11,7 @@ use std::fs;
 use std::path::Path;
 
 /// A cause is named only if it explains at least this much of the difference.
-pub const BELIEVED: f32 = 0.55;
+pub const BELIEVED: f32 = 0.65;
 /// A cause that explains so much less than the likeliest is not named.
 const MUCH_LESS: f32 = 0.25;
 /// Other colours are taken for the reader's own from here on.
@@ -250,6 +249,7 @@ impl Comparison {
             objects.sort_by_key(|(_, all, differ)| std::cmp::Reverse(100 * differ / all));
             let shares: Vec<_> = objects
                 .iter()
+                .filter(|(_, all, differ)| 100 * differ >= *all)
                 .take(6)
                 .map(|(name, all, differ)| format!("{name} {} %", 100 * differ / all))
                 .collect();
@@ -313,14 +313,5 @@ fn heat(a: [u8; 3], b: [u8; 3]) -> [u8; 3] {
             (2 * worst).min(255) as u8,
             (2 * worst).saturating_sub(255).min(255) as u8,
         ],
-    }
-}
-
-/// Returns the name of the fault that a picture of the book shows on purpose.
-#[must_use]
-pub fn shown(figure: &Figure) -> Option<&'static str> {
-    match figure.shows {
-        Fault::None => None,
-        fault => mutations::of(fault).map(|row| row.name),
     }
 }
