@@ -336,6 +336,10 @@ impl<'a> Observation<'a> {
     fn with_colours(&self, mutation: &'static Mutation, fault: Fault) -> Option<Cause> {
         let drawn = self.drawn(fault)?;
         let direct = self.direct(mutation, fault)?;
+        // What these do to a mirror, another colour of it does as well.
+        if matches!(fault, Fault::MirrorMixed | Fault::MirrorTinted) {
+            return Some(direct);
+        }
         let with = self.with_own_colours(fault, &drawn, 2);
         let with = with.map(|(explained, recoloured)| Cause {
             mutation: Some(mutation),
@@ -459,7 +463,7 @@ impl<'a> Observation<'a> {
             let best_left = 1.0
                 - best
                 - COST_OF_COLOUR * causes.first().map_or(0, |c| c.recoloured) as f32;
-            let is_all = left < 0.08 && direct < NEARLY_ALL;
+            let is_all = left < 0.03 && direct < NEARLY_ALL;
             if is_all || (best < NEARLY_ALL && best_left > 0.4 * left) {
                 causes.insert(0, own);
             }
