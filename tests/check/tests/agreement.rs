@@ -5,7 +5,8 @@ use check::figures::figures;
 use check::image::book;
 use rayon::prelude::*;
 
-/// Every picture that is described is the book's: all but a few of its pixels are equal.
+/// Every picture that is described is the book's: of one ray per pixel, to the last bit; of more, but
+/// for half a percent of the pixels, where the order of the additions shows.
 #[test]
 fn the_small_tracer_draws_the_pictures_of_the_book() {
     let pictures = book().expect("the book's pictures");
@@ -34,14 +35,16 @@ fn the_small_tracer_draws_the_pictures_of_the_book() {
                 differ += u32::from(a != b);
                 worst = worst.max((0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0));
             }
-            Some((name.clone(), f64::from(differ) / f64::from(count), worst))
+            let share = f64::from(differ) / f64::from(count);
+            let most = if figure.cost() == 1 { 0.0 } else { 0.005 };
+            Some((name.clone(), share, worst, share <= most))
         })
         .collect();
-    for (name, share, worst) in &lines {
+    for (name, share, worst, _) in &lines {
         if *share > 0.0 {
             println!("{name}: {share:.5} worst {worst}");
         }
     }
     println!("{} described", lines.len());
-    assert!(lines.iter().all(|line| line.1 < 0.002));
+    assert!(lines.iter().all(|line| line.3));
 }
