@@ -108,6 +108,8 @@ pub enum Fault {
     AmbientWhite,
     AmbientShadowed,
     NoDiffuse,
+    /// k_a, k_d and k_s add up to 2.5.
+    StrongSurfaces,
     DiffuseFlat,
     DiffuseBothSides,
     DiffuseHalf,

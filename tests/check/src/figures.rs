@@ -972,6 +972,21 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
     sampled("lamp-clamped", What::Lamp, still, Sampler::Clamped(8));
 
     // The book's bugs, on purpose.
+    for (name, what, shows) in [
+        ("00-canvas--gloomy", What::Gradient, Fault::Linear),
+        (
+            "01-ray-casting--upside-down",
+            What::SkyAndGround,
+            Fault::FlipY,
+        ),
+        (
+            "05-shading--too-much-light",
+            scene(Level::Shaded),
+            Fault::StrongSurfaces,
+        ),
+    ] {
+        add_shown(name, what, still, one, shows);
+    }
     let afar = |distance: f32| {
         let to_centre = 1.0 + distance;
         Camera {

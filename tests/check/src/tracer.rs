@@ -149,7 +149,7 @@ pub struct Tracer<'a> {
 
 /// The most rays of a camera ray. The right pictures take no more; with some faults rays are caught
 /// in the glass, and branch there without end.
-const MAX_RAYS: u32 = 2_000;
+const MAX_RAYS: u32 = 50_000;
 const MAX_RAYS_OF_FAULT: u32 = 200;
 
 impl Tracer<'_> {
@@ -157,7 +157,7 @@ impl Tracer<'_> {
     #[must_use]
     pub fn new(scene: &Scene, fault: Fault) -> Tracer<'_> {
         let left = match fault {
-            Fault::None => MAX_RAYS,
+            Fault::None | Fault::Alone => MAX_RAYS,
             _ => MAX_RAYS_OF_FAULT,
         };
         Tracer {
@@ -576,7 +576,10 @@ impl Tracer<'_> {
     }
 
     fn shade(&self, hit: &Hit) -> Vec3 {
-        let material = &self.scene.objects[hit.index].material;
+        let mut material = self.scene.objects[hit.index].material;
+        if self.is(Fault::StrongSurfaces) {
+            (material.ambient, material.diffuse, material.specular) = (0.5, 1.0, 1.0);
+        }
         let colour = self.colour(hit);
         let ambient = match self.fault {
             Fault::NoAmbient => Vec3::ZERO,
@@ -607,7 +610,7 @@ impl Tracer<'_> {
                 Fault::Falloff(_) => intensity * 50.0 / to_light.length_squared(),
                 _ => intensity,
             };
-            let [diffuse, specular] = self.reflected_light(material, colour, hit, l);
+            let [diffuse, specular] = self.reflected_light(&material, colour, hit, l);
             let mut visible = Vec3::ONE;
             if diffuse + specular != Vec3::ZERO {
                 visible = self.visibility(hit, position);
@@ -757,7 +760,7 @@ impl Tracer<'_> {
     ) -> Vec3 {
         let throughput = throughput * weight;
         let min_throughput = match self.fault {
-            Fault::None => MIN_THROUGHPUT,
+            Fault::None | Fault::Alone => MIN_THROUGHPUT,
             // A quarter of a level in the dark.
             _ => 4.0 * MIN_THROUGHPUT,
         };

@@ -270,6 +270,17 @@ fn the_bugs_of_the_book_are_named() {
     let book = book().expect("the book's pictures");
     let figures = figures(book.clone());
     let bugs = [
+        ("00-canvas--gloomy", "00-canvas--gradient", "linear"),
+        (
+            "01-ray-casting--upside-down",
+            "01-ray-casting--sky-and-ground",
+            "flip-y",
+        ),
+        (
+            "05-shading--too-much-light",
+            "05-shading--combined",
+            "too-bright",
+        ),
         (
             "02-sphere-hit--far-textbook",
             "02-sphere-hit--far-stable",
