@@ -196,6 +196,12 @@ impl Figure {
         figure
     }
 
+    /// Returns about how far what it shows is away from the eye.
+    #[must_use]
+    pub fn distance_to_look(&self) -> f32 {
+        self.camera.forward.length()
+    }
+
     /// Returns the same figure with another colour of one object; the squares of a checkered one
     /// are this colour and a tenth of it. `None` if there is no such object.
     #[must_use]
@@ -238,6 +244,15 @@ impl Figure {
     #[must_use]
     pub fn has_scene(&self) -> bool {
         matches!(self.what, What::Scene(_))
+    }
+
+    /// Returns whether another camera would show something else.
+    #[must_use]
+    pub fn has_camera(&self) -> bool {
+        !matches!(
+            self.what,
+            What::Gradient | What::HalfLight | What::Dots | What::Lamp | What::Stored(_)
+        )
     }
 
     /// Returns the name of an object of the scene.

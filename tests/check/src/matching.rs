@@ -28,8 +28,10 @@ struct Sample {
 /// A likely cause.
 #[derive(Clone, Debug)]
 pub struct Cause {
-    /// The row of the table; `None` is "nothing but other colours".
+    /// The row of the table; `None` is no mistake, but a picture of the reader's own.
     pub mutation: Option<&'static Mutation>,
+    /// Whether the camera is elsewhere.
+    pub is_elsewhere: bool,
     /// How much of the difference it explains, 1 being all of it, less a little for each further
     /// colour that must be another.
     pub explained: f32,
@@ -46,6 +48,12 @@ const TOLERANCE: u8 = 3;
 /// Returns the difference of two pixels, from 0 to 1.
 fn distance(a: [u8; 3], b: [u8; 3]) -> f32 {
     distance_beyond(0, a, b)
+}
+
+/// Returns the difference of two pixels, from 0 to 1, the greater the farther they are.
+fn far_distance(a: [u8; 3], b: [u8; 3]) -> f32 {
+    let channels = a.into_iter().zip(b);
+    channels.map(|(a, b)| f32::from(a.abs_diff(b))).sum::<f32>() / 765.0
 }
 
 fn distance_beyond(tolerance: u8, a: [u8; 3], b: [u8; 3]) -> f32 {
@@ -123,6 +131,13 @@ impl<'a> Observation<'a> {
         }
     }
 
+    /// Returns how many of the pixels differ that causes are compared at.
+    #[must_use]
+    pub fn differing(&self) -> usize {
+        let samples = self.samples.iter();
+        samples.filter(|sample| sample.yours != sample.book).count()
+    }
+
     /// Returns the mean difference from the book's picture, from 0 to 1.
     #[must_use]
     pub fn difference(&self) -> f32 {
@@ -157,7 +172,7 @@ impl<'a> Observation<'a> {
             .map(|(s, &drawn)| s.weight * distance_beyond(tolerance, s.yours, drawn))
             .sum();
         let by_pixel = 1.0 - left / self.total();
-        if has_speckles(fault) {
+        if has_speckles(fault) && by_pixel < SPECKLES {
             by_pixel.max(SPECKLES * self.explained_by_region(fault))
         } else {
             by_pixel
@@ -173,6 +188,11 @@ impl<'a> Observation<'a> {
             // Yours less the book's, and the drawn less the book's: the sum, and that of the squares.
             yours: [Vec3; 2],
             drawn: [Vec3; 2],
+        }
+        let differing = self.evenly.iter().filter(|s| s.yours != s.book).count();
+        // Speckles are many. A few pixels may be anything.
+        if 100 * differing < self.evenly.len() {
+            return 0.0;
         }
         let mut regions: BTreeMap<_, Sums> = BTreeMap::new();
         for sample in &self.evenly {
@@ -318,7 +338,7 @@ impl<'a> Observation<'a> {
             figure: self.figure,
             size: self.size,
             samples: self.samples.iter().copied().step_by(step).collect(),
-            evenly: self.evenly.clone(),
+            evenly: self.evenly.iter().copied().step_by(4).collect(),
         }
     }
 
@@ -326,6 +346,7 @@ impl<'a> Observation<'a> {
     fn direct(&self, mutation: &'static Mutation, fault: Fault) -> Option<Cause> {
         Some(Cause {
             mutation: Some(mutation),
+            is_elsewhere: false,
             explained: self.explained(fault, &self.drawn(fault)?, 0),
             recoloured: 0,
         })
@@ -343,6 +364,7 @@ impl<'a> Observation<'a> {
         let with = self.with_own_colours(fault, &drawn, 2);
         let with = with.map(|(explained, recoloured)| Cause {
             mutation: Some(mutation),
+            is_elsewhere: false,
             explained: explained - COST_OF_COLOUR * recoloured as f32,
             recoloured,
         });
@@ -371,6 +393,86 @@ impl<'a> Observation<'a> {
         fault
     }
 
+    /// Returns how well another camera explains it, alone or with other colours: an eye elsewhere,
+    /// which looks elsewhere.
+    fn own_camera(&self) -> Option<Cause> {
+        if !self.figure.has_camera() {
+            return None;
+        }
+        let few = self.thinned(if self.figure.cost() > 4 { 24 } else { 96 });
+        let scale = self.figure.distance_to_look();
+        // The eye, and the point that it looks at, are moved by so much.
+        let seen_from = |[eye, target]: [Vec3; 2]| {
+            let eye = scale * eye;
+            self.figure.from_elsewhere(eye, scale * target - eye)
+        };
+        let left = |moved: [Vec3; 2]| {
+            let figure = seen_from(moved);
+            let samples = few.samples.iter();
+            let left = samples.map(|s| {
+                let drawn = figure.pixel(s.at, few.size, Fault::None);
+                s.weight * far_distance(s.yours, drawn)
+            });
+            left.sum::<f32>()
+        };
+        let in_cube = |i: usize| {
+            let coordinate = |axis: usize| {
+                let from_zero_to_one = (scatter(8 * i + axis) % 1024) as f32 / 1024.0;
+                2.0 * from_zero_to_one - 1.0
+            };
+            let [eye, target] = [0, 3]
+                .map(|a| Vec3::new(coordinate(a), coordinate(a + 1), coordinate(a + 2)));
+            [0.4 * eye, 0.25 * target]
+        };
+        let starts = (1..=120).map(in_cube).chain([[Vec3::ZERO; 2]]);
+        let starts: Vec<_> = starts.collect();
+        let mut starts: Vec<_> = starts.par_iter().map(|&at| (left(at), at)).collect();
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        starts.truncate(4);
+        let refined = starts.into_par_iter().map(|(mut least, mut at)| {
+            let mut step = 0.08;
+            while step > 0.001 {
+                let mut is_better = false;
+                for (i, axis, sign) in (0..12).map(|i| (i / 6, i / 2 % 3, i % 2)) {
+                    let mut other = at;
+                    other[i][axis] += [step, -step][sign];
+                    let of_other = left(other);
+                    if of_other < least {
+                        (least, at, is_better) = (of_other, other, true);
+                    }
+                }
+                if !is_better {
+                    step *= 0.5;
+                }
+            }
+            (least, at)
+        });
+        let best = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let figure = seen_from(best.1);
+        let samples = self.samples.iter().map(|sample| Sample {
+            region: figure.region(sample.at, self.size),
+            ..*sample
+        });
+        let elsewhere = Observation {
+            figure: &figure,
+            size: self.size,
+            samples: samples.collect(),
+            evenly: Vec::new(),
+        };
+        let drawn = elsewhere.drawn(Fault::None)?;
+        let alone = elsewhere.explained(Fault::None, &drawn, 0);
+        let (explained, recoloured) = elsewhere
+            .with_own_colours(Fault::None, &drawn, usize::MAX)
+            .filter(|(explained, _)| *explained > alone)
+            .unwrap_or((alone, 0));
+        Some(Cause {
+            mutation: None,
+            is_elsewhere: true,
+            explained,
+            recoloured,
+        })
+    }
+
     /// Returns how well other colours alone explain it.
     fn own_colours(&self) -> Option<Cause> {
         let drawn: Vec<_> = self.samples.iter().map(|sample| sample.book).collect();
@@ -378,6 +480,7 @@ impl<'a> Observation<'a> {
             self.with_own_colours(Fault::None, &drawn, usize::MAX)?;
         Some(Cause {
             mutation: None,
+            is_elsewhere: false,
             explained,
             recoloured,
         })
@@ -385,22 +488,22 @@ impl<'a> Observation<'a> {
 
     /// Returns the difference, from 0 to 1, that the likeliest fault leaves unexplained.
     fn unexplained(&self) -> f32 {
-        let guesses = self.guesses(Self::direct);
+        let guesses = self.guesses();
         let explained = guesses.first().map_or(0.0, |(cause, _)| cause.explained);
         let own = self.own_colours().map_or(0.0, |cause| cause.explained);
         let explained = explained.max(own).max(0.0);
         self.difference() * (1.0 - explained)
     }
 
-    /// Returns every fault that changes the picture, the likeliest first, as `cause` has it.
-    fn guesses(&self, cause: Judge<'a>) -> Vec<(Cause, Fault)> {
+    /// Returns faults that change the picture, the likeliest first.
+    fn guesses(&self) -> Vec<(Cause, Fault)> {
         let faults = MUTATIONS
             .iter()
             .flat_map(|row| row.faults.iter().map(move |&f| (row, f)));
         let faults: Vec<_> = faults.collect();
         let guesses = faults
             .par_iter()
-            .filter_map(|&(row, fault)| Some((cause(self, row, fault)?, fault)));
+            .filter_map(|&(row, fault)| Some((self.direct(row, fault)?, fault)));
         let mut guesses: Vec<_> = guesses.collect();
         guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
         guesses
@@ -413,16 +516,30 @@ impl<'a> Observation<'a> {
             return Vec::new();
         }
         // A few pixels tell which faults are worth many.
-        let thinned = self.thinned(96);
-        let mut guesses = thinned.guesses(Self::direct);
-        guesses.truncate(16);
+        let thinned = self.thinned(if self.figure.cost() > 4 { 48 } else { 96 });
+        let mut guesses = thinned.thinned(32).guesses();
+        guesses.truncate(64);
+        let again = guesses.into_par_iter().filter_map(|(cause, fault)| {
+            Some((thinned.direct(cause.mutation?, fault)?, fault))
+        });
+        let mut guesses: Vec<_> = again.collect();
+        guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
         let is_direct = guesses
             .first()
             .is_some_and(|(cause, _)| cause.explained > NEARLY_ALL);
-        if !is_direct {
-            let mut coloured = thinned.guesses(Self::with_colours);
-            coloured.retain(|(cause, _)| cause.recoloured > 0);
+        if is_direct {
+            guesses.truncate(16);
+        } else {
+            // Besides other colours a fault still explains a part.
+            let coloured = guesses.par_iter();
+            let coloured = coloured.filter_map(|(cause, fault)| {
+                let cause = thinned.with_colours(cause.mutation?, *fault)?;
+                (cause.recoloured > 0).then_some((cause, *fault))
+            });
+            let mut coloured: Vec<_> = coloured.collect();
+            coloured.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
             coloured.truncate(8);
+            guesses.truncate(16);
             guesses.extend(coloured);
         }
         let causes = guesses.par_iter().filter_map(|(cause, fault)| {
@@ -463,10 +580,17 @@ impl<'a> Observation<'a> {
             let best_left = 1.0
                 - best
                 - COST_OF_COLOUR * causes.first().map_or(0, |c| c.recoloured) as f32;
-            let is_all = left < 0.03 && direct < NEARLY_ALL;
+            let is_all = left < 0.01 && direct < NEARLY_ALL;
             if is_all || (best < NEARLY_ALL && best_left > 0.4 * left) {
                 causes.insert(0, own);
             }
+        }
+        let best = causes.first().map_or(0.0, |cause| cause.explained);
+        if best < NEARLY_ALL
+            && let Some(own) = self.own_camera()
+            && own.explained > best
+        {
+            causes.insert(0, own);
         }
         causes
     }
@@ -484,9 +608,6 @@ fn has_speckles(fault: Fault) -> bool {
             | Fault::NotJittered
     )
 }
-
-/// How a fault is judged.
-type Judge<'a> = fn(&Observation<'a>, &'static Mutation, Fault) -> Option<Cause>;
 
 /// What a further colour must explain to be believed.
 const COST_OF_COLOUR: f32 = 0.03;

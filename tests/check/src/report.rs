@@ -11,11 +11,14 @@ use std::fs;
 use std::path::Path;
 
 /// A cause is named only if it explains at least this much of the difference.
-pub const BELIEVED: f32 = 0.65;
+pub const BELIEVED: f32 = 0.55;
+/// Fewer pixels may differ for any reason, like another arithmetic: all of them must be explained.
+const FEW: usize = 16;
+const NEARLY_ALL: f32 = 0.95;
 /// A cause that explains so much less than the likeliest is not named.
 const MUCH_LESS: f32 = 0.25;
-/// Other colours are taken for the reader's own from here on.
-const OWN_COLOURS: f32 = 0.7;
+/// A picture is taken for one of the reader's own from here on.
+const OWN: f32 = 0.8;
 /// The most rays that are traced to count differing pixels.
 const MAX_RAYS: usize = 4_000_000;
 /// The number of pixels at which causes are compared.
@@ -100,10 +103,18 @@ pub fn judge(
             SAMPLES
         },
     );
-    let (is_own, causes) = likely(&observation);
+    let (own, causes) = likely(&observation);
     let share = f64::from(comparison.differ) / f64::from(comparison.count);
-    if is_own {
-        text += "a picture of your own: some colours are others, and all else is as in the book\n";
+    if let Some(own) = own {
+        let what = match (own.is_elsewhere, own.recoloured > 0) {
+            (true, true) => "seen from elsewhere, in other colours",
+            (true, false) => "seen from elsewhere",
+            (false, _) => "in other colours",
+        };
+        let _ = writeln!(
+            text,
+            "a picture of your own: the book's scene {what}, in which I find no mistake"
+        );
     } else if !causes.is_empty() {
         text += "the likely causes, the likeliest first:\n";
         for (i, cause) in causes.iter().enumerate() {
@@ -136,22 +147,27 @@ pub fn judge(
     verdict(false, causes, text)
 }
 
-/// Returns whether only the colours are the reader's own, and otherwise the likely causes, the
+/// Returns in which way the picture is the reader's own, and otherwise the likely causes, the
 /// likeliest first: three at most, and none if none explains enough.
 #[must_use]
-pub fn likely(observation: &Observation) -> (bool, Vec<Cause>) {
+pub fn likely(observation: &Observation) -> (Option<Cause>, Vec<Cause>) {
     let mut causes = observation.causes();
-    let first = causes.first();
-    if first
-        .is_some_and(|first| first.mutation.is_none() && first.explained >= OWN_COLOURS)
-    {
-        return (true, Vec::new());
+    let own = causes
+        .first()
+        .filter(|first| first.mutation.is_none() && first.explained >= OWN);
+    if let Some(own) = own {
+        return (Some(own.clone()), Vec::new());
     }
-    let best = first.map_or(0.0, |first| first.explained);
-    let believed = BELIEVED.max(best - MUCH_LESS);
+    let best = causes.first().map_or(0.0, |first| first.explained);
+    let enough = if observation.differing() < FEW {
+        NEARLY_ALL
+    } else {
+        BELIEVED
+    };
+    let believed = enough.max(best - MUCH_LESS);
     causes.retain(|cause| cause.mutation.is_some() && cause.explained >= believed);
     causes.truncate(3);
-    (false, causes)
+    (None, causes)
 }
 
 /// Returns whether the picture is the book's, scaled: nearly every pixel is between the least and
