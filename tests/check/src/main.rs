@@ -188,10 +188,9 @@ fn check_chapter(stage: &str, (figures, book): &Book) -> Result<Exit, (Exit, Str
         .map_err(|error| broken(format!("cargo: {error}")))?;
     if !output.status.success() {
         let stderr = String::from_utf8_lossy(&output.stderr);
-        let first = stderr.lines().find(|line| line.starts_with("error"));
-        let first = first.unwrap_or("error").trim_start_matches("error: ");
         return Err(broken(format!(
-            "{stage} cannot be built: {first}; see cargo build --bin {stage}"
+            "{stage} cannot be built: {}; for more, cargo build --bin {stage}",
+            first_error(&stderr)
         )));
     }
     let folder = target().join("check");
@@ -230,6 +229,18 @@ fn check_chapter(stage: &str, (figures, book): &Book) -> Result<Exit, (Exit, Str
         "{stage}: {equal} pictures are equal to the book's\n"
     ))?;
     Ok(exit)
+}
+
+/// Returns the compiler's first error, and its place.
+fn first_error(stderr: &str) -> String {
+    let mut lines = stderr.lines().skip_while(|line| !line.starts_with("error"));
+    let first = lines.next().unwrap_or("cargo failed, and said nothing");
+    // An error of the compiler's has a number: error[E0425].
+    let message = first.split_once(": ").map_or(first, |(_, message)| message);
+    let place = lines
+        .next()
+        .and_then(|line| line.trim().strip_prefix("--> "));
+    place.map_or(message.to_string(), |place| format!("{message}, {place}"))
 }
 
 /// Lets a chapter's program draw a picture, by its name: `STAGE--VIEW--knob-SETTING`.

@@ -495,18 +495,27 @@ impl<'a> Observation<'a> {
         self.difference() * (1.0 - explained)
     }
 
-    /// Returns faults that change the picture, the likeliest first.
+    /// Returns the likeliest faults, the likeliest first.
     fn guesses(&self) -> Vec<(Cause, Fault)> {
+        let by_pixels = |seen: &Self, faults: Vec<(&'static Mutation, Fault)>| {
+            let guesses = faults
+                .into_par_iter()
+                .filter_map(|(row, fault)| Some((seen.direct(row, fault)?, row, fault)));
+            let mut guesses: Vec<_> = guesses.collect();
+            guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
+            guesses
+        };
         let faults = MUTATIONS
             .iter()
             .flat_map(|row| row.faults.iter().map(move |&f| (row, f)));
-        let faults: Vec<_> = faults.collect();
-        let guesses = faults
-            .par_iter()
-            .filter_map(|&(row, fault)| Some((self.direct(row, fault)?, fault)));
-        let mut guesses: Vec<_> = guesses.collect();
-        guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
-        guesses
+        // A few pixels tell which faults are worth many.
+        let likely = by_pixels(&self.thinned(32), faults.collect());
+        let likely = likely
+            .into_iter()
+            .take(64)
+            .map(|(_, row, fault)| (row, fault));
+        let guesses = by_pixels(self, likely.collect()).into_iter();
+        guesses.map(|(cause, _, fault)| (cause, fault)).collect()
     }
 
     /// Returns the causes that explain anything, the likeliest first.
@@ -515,15 +524,8 @@ impl<'a> Observation<'a> {
         if self.total() == 0.0 {
             return Vec::new();
         }
-        // A few pixels tell which faults are worth many.
         let thinned = self.thinned(if self.figure.cost() > 4 { 48 } else { 96 });
-        let mut guesses = thinned.thinned(32).guesses();
-        guesses.truncate(64);
-        let again = guesses.into_par_iter().filter_map(|(cause, fault)| {
-            Some((thinned.direct(cause.mutation?, fault)?, fault))
-        });
-        let mut guesses: Vec<_> = again.collect();
-        guesses.sort_by(|a, b| b.0.explained.total_cmp(&a.0.explained));
+        let mut guesses = thinned.guesses();
         let is_direct = guesses
             .first()
             .is_some_and(|(cause, _)| cause.explained > NEARLY_ALL);
@@ -712,7 +714,7 @@ pub fn guess<'a>(
         .par_iter()
         .map(|reference| {
             let seen = reference
-                .observe(yours, if reference.figure.cost() > 4 { 32 } else { 128 });
+                .observe(yours, if reference.figure.cost() > 4 { 16 } else { 64 });
             let left = everywhere.iter().map(|&fault| {
                 let samples = seen.samples.iter();
                 let left: f32 = samples

@@ -15,6 +15,8 @@ pub const BELIEVED: f32 = 0.55;
 /// Fewer pixels may differ for any reason, like another arithmetic: all of them must be explained.
 const FEW: usize = 16;
 const NEARLY_ALL: f32 = 0.95;
+/// Causes whose explanations differ by less draw the same picture.
+const SAME: f32 = 1e-4;
 /// A cause that explains so much less than the likeliest is not named.
 const MUCH_LESS: f32 = 0.25;
 /// A picture is taken for one of the reader's own from here on.
@@ -117,10 +119,17 @@ pub fn judge(
         );
     } else if !causes.is_empty() {
         text += "the likely causes, the likeliest first:\n";
-        for (i, cause) in causes.iter().enumerate() {
+        let mut number = 0;
+        let mut before = f32::INFINITY;
+        for cause in &causes {
             let Some(row) = cause.mutation else { continue };
+            // Causes that draw the same picture here have the same number.
+            if before - cause.explained > SAME {
+                number += 1;
+            }
+            before = cause.explained;
             let percent = (100.0 * cause.explained).round();
-            let _ = writeln!(text, "  {}. {}", i + 1, row.cause);
+            let _ = writeln!(text, "  {number}. {}", row.cause);
             let besides = if cause.recoloured > 0 {
                 ", with colours of your own"
             } else {

@@ -249,11 +249,57 @@ fn the_page_shows_what_the_program_says() {
 #[test]
 fn a_chapter_is_compared() {
     let folder = folder();
+    let pictures = book().expect("the book's pictures");
+    let names = pictures.iter().map(|(name, _)| name);
+    let count = names.filter(|name| name.starts_with("01-")).count();
     let stdout = said(folder.path(), &["01"], 0);
     assert_eq!(
         stdout,
-        "01-ray-casting: 4 pictures are equal to the book's\n"
+        format!("01-ray-casting: {count} pictures are equal to the book's\n")
     );
+}
+
+/// Of a chapter that cannot be built the compiler's first error is shown, and its place, in one line.
+#[cfg(unix)]
+#[test]
+fn a_chapter_that_cannot_be_built_is_reported_in_one_line() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder();
+    // In place of cargo: what it says of such a chapter.
+    let cargo = folder.path().join("cargo");
+    let script = "#!/bin/sh\ncat >&2 <<'END'
+warning: unused variable: `y`
+ --> chapters/06-reflection/src/lib.rs:7:9
+
+error[E0425]: cannot find value `x` in this scope
+  --> chapters/06-reflection/src/lib.rs:31:5
+   |
+31 |     x
+   |     ^ not found in this scope
+
+error[E0308]: mismatched types
+  --> chapters/06-reflection/src/lib.rs:40:5
+
+error: could not compile `reflection` (lib) due to 2 previous errors; 1 warning emitted
+END
+exit 101
+";
+    fs::write(&cargo, script).expect("a script");
+    fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).expect("to run it");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
+    command.arg("06").current_dir(folder.path());
+    let output = command
+        .env("CARGO", &cargo)
+        .output()
+        .expect("the program runs");
+    let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert_eq!(
+        stderr,
+        "error: 06-reflection cannot be built: cannot find value `x` in this scope, \
+         chapters/06-reflection/src/lib.rs:31:5; for more, cargo build --bin 06-reflection\n"
+    );
+    assert!(output.stdout.is_empty());
 }
 
 /// Every page that a cause refers to exists, and has the heading.
