@@ -50,7 +50,7 @@ impl fmt::Display for Unreadable {
             Self::Folder => write!(f, "it is a folder; name one PNG in it"),
             Self::NotPng(what) => write!(
                 f,
-                "it is {what} and no PNG; save the picture as a PNG, which keeps every level as it is"
+                "it is {what}no PNG; save the picture as a PNG, which keeps every level as it is"
             ),
             Self::Broken(reason) => {
                 write!(
@@ -80,7 +80,7 @@ pub fn read(path: &Path) -> Result<(Image, Vec<String>), Unreadable> {
         return Err(Unreadable::Folder);
     }
     if !metadata.is_file() {
-        return Err(Unreadable::NotPng("a device or a pipe"));
+        return Err(Unreadable::NotPng("a device or a pipe and "));
     }
     let mut start = Vec::new();
     let file = File::open(path).map_err(Unreadable::Io)?;
@@ -88,13 +88,13 @@ pub fn read(path: &Path) -> Result<(Image, Vec<String>), Unreadable> {
     read.map_err(Unreadable::Io)?;
     if !start.starts_with(b"\x89PNG\r\n\x1a\n") {
         return Err(Unreadable::NotPng(match start[..] {
-            [] => "empty",
-            [0xff, 0xd8, ..] => "a JPEG, which changes the levels,",
-            [b'G', b'I', b'F', ..] => "a GIF",
-            [b'B', b'M', ..] => "a BMP",
-            [b'P', b'1'..=b'7', b'\n' | b' ' | b'\r', ..] => "a PPM",
-            [b'R', b'I', b'F', b'F', ..] => "a WebP",
-            _ => "something else",
+            [] => "empty and ",
+            [0xff, 0xd8, ..] => "a JPEG, which changes the levels, and ",
+            [b'G', b'I', b'F', ..] => "a GIF and ",
+            [b'B', b'M', ..] => "a BMP and ",
+            [b'P', b'1'..=b'7', b'\n' | b' ' | b'\r', ..] => "a PPM and ",
+            [b'R', b'I', b'F', b'F', ..] => "a WebP and ",
+            _ => "",
         }));
     }
     decode(path)

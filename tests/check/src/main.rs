@@ -51,7 +51,7 @@ fn run() -> Result<Exit, (Exit, String)> {
     let matches = match command.try_get_matches() {
         Ok(matches) => matches,
         Err(error) if !error.use_stderr() => {
-            let _ = error.print();
+            print(&error.to_string())?;
             return Ok(Exit::Equal);
         }
         Err(error) => {
@@ -81,7 +81,7 @@ fn run() -> Result<Exit, (Exit, String)> {
     if let Some(name) = told {
         check_name(name, &book.1).map_err(usage)?;
     }
-    check_file(what, told, &book).map_err(usage)
+    check_file(what, told, &book)
 }
 
 /// Returns the whole name of a chapter that is given by its number or its name.
@@ -111,6 +111,11 @@ fn check_name(name: &str, book: &[(String, Image)]) -> Result<(), String> {
             .count()
     };
     let mut names: Vec<_> = book.iter().map(|(name, _)| &name[..]).collect();
+    if names.iter().all(|name| alike(name) == 0) {
+        return Err(format!(
+            "the book has no picture {name}; a name is like 06-reflection--bouncing, and all are in book/src/pictures"
+        ));
+    }
     names.sort_by_key(|other| std::cmp::Reverse(alike(other)));
     Err(format!(
         "the book has no picture {name}; these are most like it: {}",
@@ -132,10 +137,10 @@ fn check_file(
     path: &Path,
     told: Option<&str>,
     (figures, book): &Book,
-) -> Result<Exit, String> {
+) -> Result<Exit, (Exit, String)> {
     let shown = path.display();
     let (yours, notes) =
-        image::read(path).map_err(|error| format!("{shown}: {error}"))?;
+        image::read(path).map_err(|error| (Exit::Usage, format!("{shown}: {error}")))?;
     let stem = path
         .file_stem()
         .and_then(OsStr::to_str)
@@ -145,14 +150,17 @@ fn check_file(
     let told = told.or_else(|| by_name.into_iter().find(|name| *name == stem));
     let folder = target().join("check");
     let verdict = judge(&yours, told, (figures, book), (&folder, stem));
-    let verdict = verdict.ok_or("the book has no picture to compare with")?;
+    let verdict = verdict.ok_or_else(|| {
+        let message = "the book has no picture to compare with";
+        (Exit::Usage, message.to_string())
+    })?;
     let [w, h] = yours.size;
     let mut text = format!("{shown}, {w}x{h}\n");
     for note in notes {
         text += &format!("  {note}\n");
     }
     text += &verdict.text;
-    print(&text).map_err(|(_, message)| message)?;
+    print(&text)?;
     Ok(if verdict.is_equal {
         Exit::Equal
     } else {

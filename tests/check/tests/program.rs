@@ -62,7 +62,7 @@ fn bad_input_is_refused_in_one_line() {
         (&["folder.png"], "name one PNG in it"),
         (&["photo.jpg"], "a JPEG"),
         (&["empty.png"], "save the picture as a PNG"),
-        (&["words.png"], "save the picture as a PNG"),
+        (&["words.png"], "it is no PNG; save the picture as a PNG"),
         (&["cut.png"], "damaged"),
         (&["head.png"], "damaged"),
         (&["changed.png"], "damaged"),
@@ -72,6 +72,11 @@ fn bad_input_is_refused_in_one_line() {
             &["good.png", "--picture", "06-reflection--bouncy"],
             "06-reflection--bouncing",
         ),
+        (
+            &["good.png", "--picture", "nonsense"],
+            "all are in book/src/pictures",
+        ),
+        (&["good.png", "one.png"], "unexpected argument 'one.png'"),
         (
             &["06", "--picture", "06-reflection--bouncing"],
             "--picture is for a PNG",
@@ -87,6 +92,27 @@ fn bad_input_is_refused_in_one_line() {
         );
         assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}
+
+/// What cannot be printed is a failure, in one line.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_failure() {
+    let folder = folder();
+    write(&folder.path().join("mine.png"), &image([64, 48])).expect("a PNG");
+    for arguments in [
+        &["mine.png", "--picture", "00-canvas--gradient"][..],
+        &["--help"],
+    ] {
+        let full = fs::File::create("/dev/full").expect("the full device");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
+        command.args(arguments).current_dir(folder.path());
+        let output = command.stdout(full).output().expect("the program runs");
+        let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {stderr}");
+        assert!(stderr.starts_with("error: cannot print: "), "{stderr}");
+        assert_eq!(stderr.lines().count(), 1, "{stderr}");
     }
 }
 
