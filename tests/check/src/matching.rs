@@ -706,7 +706,10 @@ pub fn guess<'a>(
         Fault::SquarePlane,
         Fault::FitsWidth,
     ];
-    let references = figures.iter().filter(|figure| figure.cost() <= 64);
+    // Nobody means a bug: the picture is the right one, and the bug is its cause.
+    let references = figures
+        .iter()
+        .filter(|figure| figure.cost() <= 64 && figure.shows == Fault::None);
     let references: Vec<_> = references
         .filter_map(|figure| named(figure.name(), figures, book))
         .collect();
