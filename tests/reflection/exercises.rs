@@ -12,7 +12,8 @@ use ::shadows::Scene;
 use ::shadows::scene::lit_still_life;
 use glam::{UVec2, Vec3};
 use harness::{
-    Numbers, SMALL, assert_close, check_solution, judge, render_at, with_separators,
+    Numbers, SMALL, assert_close, check_solution, judge, render_at, triple,
+    with_separators,
 };
 
 /// The tint of gold, as glTF's materials have it.
@@ -139,6 +140,7 @@ fn the_solutions_are_those_in_the_book() {
         let [one, two] = [1.0, 2.0].map(|depth| levels(view, depth));
         solutions::differing_pixels(&one, &two)
     });
+    numbers.note("gold", triple(GOLD));
     for (anchor, pixels) in ["still-life", "facing"].iter().zip(&differing) {
         numbers.note(anchor, with_separators(pixels.len() as u64));
     }

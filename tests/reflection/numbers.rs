@@ -36,7 +36,11 @@ fn the_numbers_are_those_in_the_book() {
     let places = objects.clone().map(place).chain(lights);
     numbers.note("facing-places", table(places));
     numbers.note("facing-surfaces", table(objects.map(surface)));
-    numbers.note("growth", growth());
+    let (start, theta) = head_on();
+    numbers.note("growth", growth(start));
+    numbers.note("growth-angle", format!("{:.1}°", theta.to_degrees()));
+    let cos2 = theta.cos() * theta.cos();
+    numbers.note("growth-factor", format!("{:.1}", 1.0 + 16.0 * cos2 * cos2));
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
     let rays = render(&STAGE, "bouncing", HERO).rays;
     numbers.note("rays", with_separators(rays));
@@ -81,18 +85,25 @@ fn place(object: &Object<Mirror>) -> [String; 2] {
     [object.name.to_string(), place]
 }
 
-/// Returns the error in a direction's length, bounce by bounce, inside a mirror sphere that the
-/// ray hits nearly head-on.
-fn growth() -> String {
-    let sphere = Sphere {
-        centre: Vec3::ZERO,
-        radius: 1.0,
-    };
+/// Returns a ray that hits a mirror sphere of radius 1 from within, nearly head-on, and its angle
+/// to the normal, in radians.
+fn head_on() -> (Ray, f64) {
     let start = Vec3::new(0.3, 0.5, 0.8).normalize();
     let aside = 0.1 * start.any_orthonormal_vector();
     let start = Ray {
         origin: start,
         direction: (aside - start).normalize(),
+    };
+    let inwards = -start.origin.as_dvec3();
+    (start, inwards.angle_between(start.direction.as_dvec3()))
+}
+
+/// Returns the error in a direction's length, bounce by bounce, inside a mirror sphere of
+/// radius 1.
+fn growth(start: Ray) -> String {
+    let sphere = Sphere {
+        centre: Vec3::ZERO,
+        radius: 1.0,
     };
     let error = |ray: &Ray| (ray.direction.as_dvec3().length() - 1.0).abs();
     let (mut textbook, mut stable) = (start, start);
@@ -100,11 +111,17 @@ fn growth() -> String {
         let before = error(&textbook);
         textbook = bounce_inside(&sphere, &textbook, reflect_unnormalized);
         stable = bounce_inside(&sphere, &stable, reflect);
-        let grown = error(&textbook) / before;
+        let grown = format!("{:.1}", error(&textbook) / before);
+        // The first error is that of rounding the start.
+        let grown = if bounces == 1 {
+            "–".to_string()
+        } else {
+            grown
+        };
         [
             bounces.to_string(),
             three_digits(error(&textbook)),
-            format!("{grown:.1}"),
+            grown,
             three_digits(error(&stable)),
         ]
     }))

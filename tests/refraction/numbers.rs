@@ -69,6 +69,8 @@ fn the_numbers_are_those_in_the_book() {
     numbers.note("total-ball", with_separators(ball));
     let bubble = total_reflections(AIR, GLASS, &close_up());
     numbers.note("total-bubble", with_separators(bubble));
+    let camera_rays = u64::from(HERO.x * HERO.y);
+    numbers.note("camera-rays", with_separators(camera_rays));
     numbers.check(STAGE.name);
 }
 

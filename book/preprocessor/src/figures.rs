@@ -3,6 +3,7 @@
 use canvas::{Stage, View};
 use mdbook_preprocessor::errors::{Error, Result};
 use preprocessor::{escape, study};
+use speed_and_accuracy::table::with_separators;
 use stages::STAGES;
 use std::fs;
 
@@ -68,16 +69,26 @@ impl Shown {
         })
     }
 
-    /// Returns what to see in it, and at which setting of the knob if that is not the default.
+    /// Returns what to see in it, and at which setting of the knob if there is one.
     fn caption(&self) -> String {
         let caption = escape(self.view.caption);
-        match &self.view.knob {
-            Some(knob) if !self.is_default => {
-                let value = format!("{} {}", self.setting, knob.unit);
-                format!("{caption} Here: {} {}.", knob.name, value.trim_end())
-            }
-            _ => caption,
+        match self.knob() {
+            Some(knob) => format!("{caption} Here, {knob}."),
+            None => caption,
         }
+    }
+
+    /// Returns the knob's name and setting: `n = 4`, `depth = 20 bounces`. `None` if there is no
+    /// knob.
+    fn knob(&self) -> Option<String> {
+        let knob = self.view.knob.as_ref()?;
+        let value = if self.setting.fract() == 0.0 {
+            with_separators(self.setting as u64)
+        } else {
+            self.setting.to_string()
+        };
+        let words = format!("{} = {value} {}", knob.name, knob.unit);
+        Some(words.trim_end().to_string())
     }
 }
 
@@ -114,7 +125,7 @@ const MAGNIFICATION: u32 = 8;
 
 /// Returns the HTML of the same rectangle of several views' pictures, magnified, with the edges
 /// of their pixels. The rectangle is its left and top edge, its width and its height, in pixels.
-/// A view with a setting has that as its caption, and another one its own.
+/// A view with a setting has that as its caption, and another one that of its figure.
 pub fn crops(stage: &str, rectangle: [&str; 4], views: &[&str]) -> Result<String> {
     let stage = known(stage)?;
     let numbers: Vec<u32> = rectangle.iter().filter_map(|it| it.parse().ok()).collect();
@@ -141,22 +152,17 @@ pub fn crops(stage: &str, rectangle: [&str; 4], views: &[&str]) -> Result<String
             "{} Magnified {MAGNIFICATION} times: {width} × {height} pixels, the first of them at ({left}, {top}).",
             shown.caption()
         );
-        let caption = match &shown.view.knob {
-            Some(knob) if view.contains('=') => {
-                format!("{} = {} {}", knob.name, shown.setting, knob.unit)
-            }
-            _ => escape(shown.view.caption),
+        let caption = match shown.knob() {
+            Some(knob) if view.contains('=') => knob,
+            _ => shown.caption(),
         };
         let side = [width, height].map(|pixels| MAGNIFICATION * pixels);
         Ok(format!(
             "<figure style=\"width: {}px\">\n\
              <a href=\"{picture}\"><svg class=\"crop\" width=\"{}\" height=\"{}\" viewBox=\"{left} {top} {width} {height}\" role=\"img\" aria-label=\"{alt}\"><image href=\"{picture}\" width=\"{full_width}\" height=\"{full_height}\"/></svg></a>\n\
-             <figcaption>{}</figcaption>\n\
+             <figcaption>{caption}</figcaption>\n\
              </figure>\n",
-            side[0],
-            side[0],
-            side[1],
-            caption.trim_end()
+            side[0], side[0], side[1],
         ))
     };
     if views.is_empty() {

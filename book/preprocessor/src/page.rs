@@ -187,7 +187,7 @@ mod a_page {
             "<span>NN-sphere-hit</span></code>",
             r#"<img src="pictures/NN-sphere-hit--far-textbook--knob-10000.snap.png""#,
             r#"width="320" height="240""#,
-            "Here: distance 10000 radii.",
+            "Here, distance = 10,000 radii.",
             "<span>--view</span> <span>far-textbook</span> <span>--knob</span> <span>10000</span> <span>--size</span> <span>320x240</span></code>",
         ] {
             assert!(page.contains(&named(expected)), "no {expected} in {page}");
@@ -227,7 +227,7 @@ mod a_page {
             r#"<svg class="crop" width="240" height="320" viewBox="10 20 30 40" role="img" aria-label=""#,
             r#"<image href="pictures/NN-sphere-hit--flat.snap.png" width="800" height="600"/>"#,
             r#"<image href="pictures/NN-sphere-hit--far-textbook--knob-10000.snap.png" width="320" height="240"/>"#,
-            "<figcaption>distance = 10000 radii</figcaption>",
+            "<figcaption>distance = 10,000 radii</figcaption>",
             "Magnified 8 times: 30 × 40 pixels, the first of them at (10, 20).",
         ] {
             assert!(page.contains(&named(expected)), "no {expected} in {page}");

@@ -45,7 +45,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "inside-textbook",
-            caption: "Inside a mirror sphere with a checkered skin, after some bounces by the textbook's formulas. Black: lost.",
+            caption: "Inside a mirror sphere with a checkered skin, after some bounces by the textbook's formulas. The black pixels' rays are lost.",
             knob: Some(BOUNCES),
             picture: |bounces| inside_a_sphere(bounces, reflect_unnormalized),
         },
@@ -72,7 +72,7 @@ pub const fn depth_knob(default: u32, snapshot_settings: &'static [f32]) -> Knob
 }
 
 const BOUNCES: Knob = Knob {
-    name: "bounces",
+    name: "number of bounces",
     unit: "",
     min: 0.0,
     max: 16.0,

@@ -99,8 +99,8 @@ pub enum Optics {
 
 /// How an object reflects the lights, and reflects and transmits rays.
 ///
-/// Dielectrics must not overlap: which of two is at a point they share is asked in the chapter
-/// about coloured glass.
+/// The surfaces of dielectrics must not cross. One may lie wholly inside another if its
+/// `eta_outside` is the other's `eta_inside`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// How the surface reflects the lights.

@@ -23,7 +23,8 @@ use shadows::{Interaction, Scene, is_visible};
 /// Source: Hecht, Optics, 4.6; the lecture's "Fresnel" slide.
 #[inline]
 pub fn fresnel(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
-    // Without this, an invisible ball would sparkle: 0/0 at grazing angles.
+    // Without this, an invisible ball would sparkle: at grazing angles the sine rounds to 1,
+    // or the amplitudes are nearly 0/0.
     if eta_i == eta_t {
         return 0.0;
     }

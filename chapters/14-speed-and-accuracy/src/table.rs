@@ -1,6 +1,6 @@
 //! A study's measurements, and the file of comma-separated values that keeps them.
 
-pub use crate::digits::{for_readers, three_digits};
+pub use crate::digits::{for_readers, three_digits, with_separators};
 use serde::{Deserialize, Serialize, Serializer};
 use std::io;
 
