@@ -1,6 +1,7 @@
 //! The chapter's pictures.
 
 use crate::scene::horizon_camera;
+use crate::sobol::low_discrepancy;
 use crate::{Sampler, adaptive, clamped, jittered, mean_of_levels, regular};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use fresnel::{fresnel, trace};
@@ -33,7 +34,7 @@ pub const STAGE: Stage = Stage {
         View {
             name: "adaptive",
             caption: "Four rays per pixel, and n × n more only where those four differ.",
-            knob: Some(samples_knob(8, &[])),
+            knob: Some(samples_knob(4, &[])),
             picture: |n| still_life_by(n, adaptive),
         },
         View {
@@ -49,8 +50,14 @@ pub const STAGE: Stage = Stage {
             picture: |n| horizon_by(n, jittered),
         },
         View {
+            name: "horizon-owen-sobol",
+            caption: "The same by Owen-Sobol: no rings, and less noise.",
+            knob: Some(samples_knob(4, &[])),
+            picture: |n| horizon_by(n, low_discrepancy),
+        },
+        View {
             name: "dots-grid",
-            caption: "Dots with a radius of a quarter of a pixel, by n × n rays: with n = 8 all are there, faint as they should be.",
+            caption: "Dots with a radius of a quarter of a pixel, by n × n rays: where these are dense, all of the dots are there, faint as they should be.",
             knob: Some(samples_knob(8, &[])),
             picture: |n| dots_by(n, regular),
         },

@@ -27,11 +27,11 @@ pub const STUDY: Study = Study {
     chosen: &[Choice::at("regular", 4.0)],
     charts: &[
         Chart::new("edge", SAMPLES, ERROR)
-            .titled("A disc’s edge: any even spread beats chance, the grid most of all"),
+            .titled("A disc’s edge: any even spread beats chance"),
         Chart::new("horizon", SAMPLES, ERROR)
             .titled("A floor to its horizon: the grid is hardly better than chance"),
         Chart::new("still life", TIME, ERROR)
-            .titled("The still life: the rays cost more than their places"),
+            .titled("The still life: the rays cost more than choosing their positions"),
     ],
 };
 
