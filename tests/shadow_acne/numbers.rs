@@ -3,9 +3,12 @@
 
 use crate::faults::wrong_pixels;
 use ::shadow_acne::scene::balls_on_a_planet;
-use ::shadow_acne::{STAGE, from_surface};
+use ::shadow_acne::{STAGE, SpawnRay, from_eye, from_surface, without_offset};
+use canvas::Pixel;
 use glam::Vec3;
-use harness::{Numbers, edge_of_shadow, table, triple, vector};
+use harness::{
+    Numbers, SMALL, edge_of_shadow, render_at, table, triple, vector, with_separators,
+};
 use plane_hit::{Object, Shape, Texture};
 use refraction::{Material, Optics};
 use shadows::{Interaction, PointLight, Scene, is_visible};
@@ -27,16 +30,37 @@ fn the_numbers_are_those_in_the_book() {
         numbers.note(&format!("ground-{ground}"), wrong_pixels(ground));
     }
     note_planet(&mut numbers);
+    for name in ["planet", "large"] {
+        let fraction = self_shadowing(name);
+        numbers.note(&format!("self-shadowing-{name}"), fraction);
+    }
+    for scale in [1e3, 1e6] {
+        let levels = |view| render_at(&STAGE, view, scale, SMALL).levels;
+        let right = levels("from-surface");
+        for view in ["fixed", "acne"] {
+            let pairs = levels(view).into_iter().zip(&right);
+            let wrong = pairs.filter(|(wrong, right)| wrong != *right).count();
+            let anchor = format!("wrong-{view}-{scale}");
+            numbers.note(&anchor, with_separators(wrong as u64));
+        }
+    }
     numbers.check(STAGE.name);
 }
 
 /// Notes what is on the planet, at a scale of 1.
 fn note_planet(numbers: &mut Numbers) {
     let (scene, camera) = balls_on_a_planet(1.0);
-    let row = |object: &Object<Material>| {
-        let Shape::Sphere(Sphere { centre, radius }) = object.shape else {
+    let sphere = |object: &Object<Material>| {
+        let Shape::Sphere(sphere) = object.shape else {
             panic!("{} is a ball", object.name);
         };
+        sphere
+    };
+    let planet = sphere(&scene.objects[0]);
+    let row = |object: &Object<Material>| {
+        let Sphere { centre, radius } = sphere(object);
+        let apart = centre.as_dvec3().distance(planet.centre.as_dvec3());
+        let height = apart - f64::from(planet.radius) - f64::from(radius);
         let Optics::Opaque { reflectivity } = object.material.optics else {
             panic!("{} is opaque", object.name);
         };
@@ -49,6 +73,11 @@ fn note_planet(numbers: &mut Numbers) {
             radius.to_string(),
             triple(colour),
             reflectivity.to_string(),
+            if object.name == "planet" {
+                "–".to_string()
+            } else {
+                format!("{height:.4}")
+            },
         ]
     };
     numbers.note("planet", table(scene.objects.iter().map(row)));
@@ -72,6 +101,31 @@ fn note_planet(numbers: &mut Numbers) {
     numbers.note("planet-intensity", light.intensity);
     numbers.note("planet-eye", triple(camera.eye));
     numbers.note("planet-forward", vector(&camera.forward.to_array()));
+    numbers.note("planet-focal-length", camera.focal_length);
+}
+
+/// Returns the fraction of an object's lit points that are in the shadow of their own surface if
+/// shadow rays have no offset.
+fn self_shadowing(name: &str) -> String {
+    let (scene, camera) = balls_on_a_planet(1.0);
+    let objects = &scene.objects;
+    let light = scene.lights[0].position;
+    let (mut lit, mut dark) = (0, 0);
+    for pixel in Pixel::all(SMALL) {
+        let ray = from_eye(objects, camera.ray(pixel.centre()));
+        let at = ray.intersect(objects);
+        let Some(at) = at.filter(|at| objects[at.index].name == name) else {
+            continue;
+        };
+        let (direction, distance) = (light - at.point).normalize_and_length();
+        let is_occluded =
+            |spawn: SpawnRay| spawn(&at, direction).is_occluded(objects, light, distance);
+        if at.outward.dot(direction) > 0.0 && !is_occluded(from_surface) {
+            lit += 1;
+            dark += usize::from(is_occluded(without_offset));
+        }
+    }
+    format!("{:.0} %", 100.0 * dark as f64 / lit as f64)
 }
 
 /// Returns the radius of the shadow of a ball of radius `scale` on a floor, from a light 10 of

@@ -4,24 +4,33 @@ use canvas::RgbImage;
 use glam::UVec2;
 use reflection::{MAX_DEPTH, PathBudget};
 use shadow_acne::scene::balls_on_a_planet;
-use shadow_acne::{from_eye, trace, without_offset};
+use shadow_acne::{SpawnRay, from_eye, trace, without_offset};
 
-fn picture() -> RgbImage {
+fn picture(spawn: SpawnRay) -> RgbImage {
     let (scene, camera) = balls_on_a_planet(1.0);
     let budget = PathBudget::new(MAX_DEPTH);
     canvas::render(UVec2::new(320, 240), |pixel| {
         let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
-        trace(&scene, &ray, budget, without_offset)
+        trace(&scene, &ray, budget, spawn)
     })
 }
 
 fn main() -> preview::ImageResult<()> {
-    preview::save_and_show(&picture(), "acne")
+    preview::save_and_show(&picture(without_offset), "acne")
 }
 
 #[test]
-fn is_the_books_picture() {
-    let book = "../pictures/10-shadow-acne--acne.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+fn all_methods_draw_the_books_pictures() {
+    let methods: [(&str, SpawnRay); 4] = [
+        ("acne", without_offset),
+        ("fixed", shadow_acne::with_fixed_offset),
+        ("scaled", shadow_acne::with_scaled_offset),
+        ("from-surface", shadow_acne::from_surface),
+    ];
+    for (view, spawn) in methods {
+        let book = format!("../pictures/10-shadow-acne--{view}.snap.png");
+        let differing = canvas::differing(&picture(spawn), &book);
+        assert_eq!(differing.expect("a picture"), 0, "{view}");
+    }
 }
 // ANCHOR_END: main

@@ -50,7 +50,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "from-surface",
-            caption: "The cure: no offset at all. As good as the same picture at every size.",
+            caption: "The cure: no offset at all. Practically the same picture at every size.",
             knob: Some(SCALE),
             picture: |scale| planet_by(scale, from_surface),
         },

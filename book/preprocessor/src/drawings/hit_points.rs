@@ -78,7 +78,8 @@ pub fn panels() -> Vec<Panel> {
     ];
     panel.caption = format!(
         "The hits of {SHOWN} neighbouring pixels on the {NAME} ball, and their height above its surface in ten-millionths \
-         (10⁻⁷). Of all hits on the ball, {above} % are above the surface and {below} % below."
+         (10⁻⁷). Of all hits on the ball, in a picture of {} × {}, {above} % are above the surface and {below} % below.",
+        PICTURE.x, PICTURE.y
     );
     panel.description = format!(
         "A level line is the surface, greatly magnified. {SHOWN} points scatter about it, some above and some below, at \
