@@ -105,6 +105,7 @@ fn note_pool(numbers: &mut Numbers) {
     numbers.note("pool-lights", table(lights));
     numbers.note("pool-eye", triple(camera.eye));
     numbers.note("pool-forward", vector(&camera.forward.to_array()));
+    numbers.note("pool-focal-length", camera.focal_length);
 }
 
 /// Returns the greatest relative error of the exponential, for transmittances that are not quite

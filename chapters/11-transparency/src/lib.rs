@@ -45,7 +45,8 @@ pub struct Absorbing {
 // ANCHOR: follow
 /// Follows a ray straight on, to the first hit with a surface that reflects or refracts it.
 /// Returns the fraction of light that the media on the way transmit, and the hit with its
-/// optics; `None` if there is none. Counts a ray for each surface that it meets.
+/// optics; `None` if there is none. Counts a ray for each surface that it crosses, and one
+/// more for the rest of the way, even if that meets nothing.
 pub fn follow(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
