@@ -13,7 +13,7 @@ use std::iter::repeat_n;
 const WIDTH: f64 = 800.0;
 const HEIGHT: f64 = 300.0;
 /// The plot within the chart, from left to right and from bottom to top.
-const COLUMNS: [f64; 2] = [84.0, 634.0];
+const COLUMNS: [f64; 2] = [96.0, 634.0];
 const ROWS: [f64; 2] = [244.0, 32.0];
 /// The x of the methods' names, to the right of the plot, and the distance of their lines.
 const NAMES: f64 = 674.0;
