@@ -1,12 +1,14 @@
 //! The studies, measured again, and what they measure by.
 
 use crate::check::{check_charts, check_rows};
+use harness::Numbers;
 use measure::Random;
 use measure::bvh::{Bvh, anywhere, cloud};
 use measure::subjects::PATTERNS;
 use plane_hit::nearest;
 use ray_casting::Ray;
 use speed_and_accuracy::STUDIES;
+use speed_and_accuracy::studies::growth::FEW;
 use speed_and_accuracy::study::Clock;
 use std::f64::consts::PI;
 
@@ -59,4 +61,11 @@ fn the_patterns_means_add_up_to_their_areas() {
         let error = means.iter().sum::<f64>() - area;
         assert!(error.abs() <= 1e-5 * means.len() as f64, "{name}: {error}");
     }
+}
+
+#[test]
+fn the_numbers_are_those_in_the_book() {
+    let mut numbers = Numbers::default();
+    numbers.note("pixels", format!("{} × {}", FEW.x, FEW.y));
+    numbers.check("14-speed-and-accuracy-growth");
 }

@@ -19,7 +19,7 @@ use shadow_acne::{from_eye, from_surface, trace};
 
 /// The cost of more pixels, samples, lights, bounces and spheres.
 ///
-/// In a "picture" the setting is how many times as many there are as in 20 by 15 pixels
+/// In a "picture" the setting is how many times as many there are as in [`FEW`] pixels
 /// with a sample each and two lights, and work and nanoseconds are those of the whole
 /// picture. Of "depth", they are rays and nanoseconds of one pixel; of "spheres", the
 /// nanoseconds of one ray.
@@ -45,6 +45,9 @@ pub const STUDY: Study = Study {
         ),
     ],
 };
+
+/// The size of the smallest picture, in pixels.
+pub const FEW: UVec2 = UVec2::new(20, 15);
 
 const RAY_TIME: Axis = (Quantity::Ns, "nanoseconds per ray");
 const RAYS: Axis = (Quantity::Work, "rays per pixel");
@@ -134,12 +137,12 @@ fn lit(n: u32, lights: u32) -> Picture {
 }
 
 fn pictures(clock: &Clock) -> Vec<Measurement> {
-    let (mut rows, few) = (Vec::new(), UVec2::new(20, 15));
+    let mut rows = Vec::new();
     for n in [1, 2, 4, 8] {
         let methods = [
-            ("pixels", few * n, lit(1, 1)),
-            ("samples", few, lit(n, 1)),
-            ("lights", few, lit(1, n * n)),
+            ("pixels", FEW * n, lit(1, 1)),
+            ("samples", FEW, lit(n, 1)),
+            ("lights", FEW, lit(1, n * n)),
         ];
         let jobs = methods.each_ref().map(|(_, size, picture)| {
             each(&[()], move |()| frame(picture, *size, LANES))
