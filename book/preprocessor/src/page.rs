@@ -17,9 +17,16 @@ pub fn prepare(markdown: &str) -> Result<String> {
     let mut done = 0;
     for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
         let replacement = match event {
+            // It is part of what has been replaced.
+            _ if range.start < done => None,
             Event::InlineMath(latex) => Some(maths::inline(&latex)?),
             Event::DisplayMath(latex) => Some(maths::display(&latex)?),
             Event::Start(Tag::Paragraph) => paragraph(markdown[range.clone()].trim())?,
+            Event::Start(Tag::Image { dest_url, .. })
+                if dest_url.starts_with("pictures/solutions/") =>
+            {
+                Some(linked(&markdown[range.clone()], &dest_url))
+            }
             _ => None,
         };
         if let Some(replacement) = replacement {
@@ -29,6 +36,12 @@ pub fn prepare(markdown: &str) -> Result<String> {
         }
     }
     Ok(prepared + &markdown[done..])
+}
+
+/// Returns an image, followed by a link to its file, under its name: for a reader to save.
+fn linked(image: &str, file: &str) -> String {
+    let (_, name) = file.rsplit_once('/').unwrap_or_default();
+    format!("{image}\n[`{name}`]({file})")
 }
 
 /// Returns the page without what is folded away as a solution or an answer.
@@ -139,6 +152,20 @@ mod a_page {
             removed += count(&page) - count(&rest);
         }
         assert!(removed > 50, "only {removed}");
+    }
+
+    #[test]
+    fn names_the_files_of_its_solutions_pictures() {
+        let page = "Before.\n\n![A *disc*](pictures/solutions/x--1.snap.png)\n\nAfter.\n";
+        let image = "![A *disc*](pictures/solutions/x--1.snap.png)";
+        assert_eq!(
+            prepare(page).unwrap(),
+            format!(
+                "Before.\n\n{image}\n[`x--1.snap.png`](pictures/solutions/x--1.snap.png)\n\nAfter.\n"
+            )
+        );
+        let other = "![A disc](pictures/x--1.snap.png)\n";
+        assert_eq!(prepare(other).unwrap(), other);
     }
 
     #[test]
