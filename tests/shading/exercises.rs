@@ -177,8 +177,10 @@ fn the_solutions_are_those_in_the_book() {
         specular: 0.0,
         ..surface
     });
-    let is_black = |pixel: &Pixel| encode(without_ambient.radiance(*pixel)) == [0; 3];
-    let black = Pixel::all(SMALL).filter(is_black).count();
-    numbers.note("black", with_separators(black as u64));
+    let lights = Pixel::all(SMALL).map(|pixel| without_ambient.radiance(pixel));
+    let black: Vec<Vec3> = lights.filter(|&light| encode(light) == [0; 3]).collect();
+    let unlit = black.iter().filter(|&&light| light == Vec3::ZERO).count();
+    numbers.note("unlit", with_separators(unlit as u64));
+    numbers.note("black", with_separators(black.len() as u64));
     numbers.check("05-shading-exercises");
 }

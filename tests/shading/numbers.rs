@@ -40,6 +40,12 @@ fn the_numbers_are_those_in_the_book() {
             [x.to_string().replace('-', "−"), n.to_string(), shown]
         })),
     );
+    let next_to_1 = [200, 10_000_000].map(|n| powi(1.0_f32.next_up(), n));
+    numbers.note("next-to-1", 1.0_f32.next_up());
+    numbers.note("next-to-1-to-200", next_to_1[0]);
+    numbers.note("next-to-1-to-1e7", three_digits(f64::from(next_to_1[1])));
+    let specular = STAGE.view("specular").expect("a view");
+    numbers.note("shininess", specular.default_setting());
     let hero = render(&STAGE, "combined", HERO);
     let pixels = [
         (400, 10, "sky"),

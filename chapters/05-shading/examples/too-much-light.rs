@@ -4,17 +4,16 @@ use canvas::RgbImage;
 use glam::UVec2;
 use ray_casting::scene::still_life_camera;
 use shading::scene::still_life_surfaces;
-use shading::{Phong, trace};
+use shading::trace;
 use shadows::scene::lit_still_life;
 
 fn picture() -> RgbImage {
     let camera = still_life_camera();
-    let scene = lit_still_life(still_life_surfaces().map(|surface| Phong {
-        ambient: 0.5,
-        diffuse: 1.0,
-        specular: 1.0,
-        ..surface
-    }));
+    let mut surfaces = still_life_surfaces();
+    for ball in &mut surfaces[1..] {
+        ball.specular = 5.0;
+    }
+    let scene = lit_still_life(surfaces);
     canvas::render(UVec2::new(320, 240), |pixel| {
         trace(&scene, &camera.ray(pixel.centre()))
     })

@@ -67,15 +67,14 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "too-much-light",
-            caption: "The bug: kₐ, k_d and kₛ add up to 2.5, and all that is brighter than white is white.",
+            caption: "The bug: every ball has a kₛ of 5. What is brighter than white is shown as white, and the highlights are flat white patches.",
             knob: None,
             picture: |_| {
-                still_life_of(still_life_camera(), |surface| Phong {
-                    ambient: 0.5,
-                    diffuse: 1.0,
-                    specular: 1.0,
-                    ..surface
-                })
+                let mut surfaces = still_life_surfaces();
+                for ball in &mut surfaces[1..] {
+                    ball.specular = 5.0;
+                }
+                picture_of(still_life_camera(), surfaces)
             },
         },
     ],
@@ -83,6 +82,10 @@ pub const STAGE: Stage = Stage {
 
 /// Returns the picture of the still life with every surface changed by `change`.
 pub fn still_life_of(camera: Camera, change: impl Fn(Phong) -> Phong) -> Picture {
-    let scene = lit_still_life(still_life_surfaces().map(change));
+    picture_of(camera, still_life_surfaces().map(change))
+}
+
+fn picture_of(camera: Camera, surfaces: [Phong; 6]) -> Picture {
+    let scene = lit_still_life(surfaces);
     Picture::new(move |pixel| trace(&scene, &camera.ray(pixel.centre())))
 }
