@@ -3,7 +3,7 @@
 
 use ::canvas::Pixel;
 use ::plane_hit::scene::STILL_LIFE_COLOURS;
-use ::plane_hit::{Object, Plane, Shape};
+use ::plane_hit::{Object, Plane, Shape, nearest};
 use ::ray_casting::SKY;
 use ::ray_casting::scene::still_life_camera;
 use ::shadows::scene::{light_between_balls, lit_still_life};
@@ -13,9 +13,10 @@ use ::shadows::{
 use ::sphere_hit::Sphere;
 use glam::Vec3;
 use harness::{
-    HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table, triple,
-    with_separators,
+    HERO, Numbers, SMALL, edge_of_shadow, percent, ray_counts, render, table,
+    three_digits, triple, with_separators,
 };
+use oracle::exact;
 
 #[test]
 fn the_numbers_are_those_in_the_book() {
@@ -71,6 +72,10 @@ fn the_numbers_are_those_in_the_book() {
         .filter(|&&radiance| radiance == Vec3::ZERO)
         .count();
     numbers.note("dark", percent(dark, hard.len()));
+    let [off_surface, along_floor, farthest] = rounding_of_hits();
+    numbers.note("off-surface", three_digits(off_surface));
+    numbers.note("along-floor", three_digits(along_floor));
+    numbers.note("farthest", with_separators(farthest as u64));
     numbers.check(STAGE.name);
 }
 
@@ -84,6 +89,42 @@ fn place(shape: &Shape) -> String {
             format!("plane through {}, normal {}", triple(point), triple(normal))
         }
     }
+}
+
+/// Returns how far rounding moves a camera ray's hit of the still life, from the exact hit of the
+/// same ray, at right angles to the surface at most, and along the floor; and the distance of the
+/// farthest.
+fn rounding_of_hits() -> [f64; 3] {
+    let objects = lit_still_life([(); 6]).objects;
+    let camera = still_life_camera();
+    let mut most = [0.0_f64; 3];
+    for ray in Pixel::all(HERO).map(|pixel| camera.ray(pixel.centre())) {
+        let Some((index, t)) = nearest(&objects, &ray) else {
+            continue;
+        };
+        let point = ray.at(t).as_dvec3();
+        let (off, along) = match objects[index].shape {
+            Shape::Sphere(Sphere { centre, radius }) => {
+                let distance = point.distance(centre.as_dvec3());
+                (distance - f64::from(radius), 0.0)
+            }
+            Shape::Plane(Plane {
+                point: on_it,
+                normal,
+                ..
+            }) => {
+                let t = exact::plane(ray.origin, ray.direction, on_it, normal);
+                let direction = ray.direction.as_dvec3();
+                let exact = ray.origin.as_dvec3() + t.expect("a hit") * direction;
+                let off = point - exact;
+                (off.y, off.x.hypot(off.z))
+            }
+        };
+        for (most, here) in most.iter_mut().zip([off, along, f64::from(t)]) {
+            *most = most.max(here.abs());
+        }
+    }
+    most
 }
 
 /// Returns the number of pixels of the still life that the buggy shadow changes.

@@ -1,10 +1,13 @@
 //! The numbers that the chapter's page quotes. They guard the page, not the truth: the code
 //! under test has written them.
 
+use ::canvas::Pixel;
 use ::ray_casting::Ray;
+use ::sphere_hit::scene::camera_at;
+use ::sphere_hit::views::red;
 use ::sphere_hit::{STAGE, Sphere, T_MAX};
 use glam::Vec3;
-use harness::{Numbers, table};
+use harness::{HERO, Numbers, SMALL, render, table, three_digits};
 use oracle::exact;
 
 const SPHERE: Sphere = Sphere {
@@ -53,5 +56,43 @@ fn the_numbers_are_those_in_the_book() {
             ]
         })),
     );
+    let hero = render(&STAGE, "flat", HERO);
+    let is_red = |(_, radiance): &(Pixel, &Vec3)| **radiance == red(Vec3::Y);
+    let ball: Vec<Pixel> = Pixel::all(HERO)
+        .zip(&hero.radiance)
+        .filter(is_red)
+        .map(|(pixel, _)| pixel)
+        .collect();
+    let extent = |along: fn(&Pixel) -> u32| {
+        let [first, last] = [ball.iter().map(along).min(), ball.iter().map(along).max()];
+        last.expect("a ball") - first.expect("a ball") + 1
+    };
+    let [width, height] = [extent(|pixel| pixel.x), extent(|pixel| pixel.y)];
+    numbers.note("ball", format!("{width} × {height}"));
+    for (name, distance) in [("1e4", 1e4), ("1e6", 1e6)] {
+        let [short, discriminant] = from_afar(distance);
+        numbers.note(&format!("short-from-{name}"), short);
+        numbers.note(&format!("discriminant-from-{name}"), discriminant);
+    }
     numbers.check(STAGE.name);
+}
+
+/// Returns by how much the directions' z is less than 1, and the textbook's discriminant, in the
+/// picture of a sphere from so far that both are the same for every pixel.
+fn from_afar(distance: f32) -> [String; 2] {
+    let camera = camera_at(distance);
+    let numbers = Pixel::all(SMALL).map(|pixel| {
+        let Ray { origin, direction } = camera.ray(pixel.centre());
+        let b = direction.dot(origin);
+        [
+            1.0 - direction.z,
+            b * b - (origin.dot(origin) - SPHERE.radius),
+        ]
+    });
+    let mut numbers: Vec<[f32; 2]> = numbers.collect();
+    numbers.dedup();
+    let [[short, discriminant]] = numbers[..] else {
+        panic!("they are {numbers:?}");
+    };
+    [short, discriminant].map(|number| three_digits(f64::from(number)))
 }

@@ -18,7 +18,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "gloomy",
-            caption: "The bug: the same numbers, written as levels without encoding. Too dark, but where they are 0 or 1.",
+            caption: "The bug: the same numbers, written as levels without encoding. Too dark, except where they are 0 or 1.",
             knob: None,
             picture: |_| {
                 Picture::new(|pixel| {

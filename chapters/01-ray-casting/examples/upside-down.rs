@@ -14,7 +14,9 @@ fn picture() -> RgbImage {
 }
 
 fn main() -> preview::ImageResult<()> {
-    preview::save_and_show(&picture(), "upside-down")
+    let picture = picture();
+    println!("{} rays", canvas::rays_traced());
+    preview::save_and_show(&picture, "upside-down")
 }
 
 #[test]

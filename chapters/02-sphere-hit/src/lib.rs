@@ -4,7 +4,7 @@
 
 pub mod scene;
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use ray_casting::{MAX_LENGTH, Ray, checked_normalize, is_length, is_position};
 // ANCHOR_END: head
 
@@ -129,6 +129,8 @@ impl Sphere {
 // ANCHOR_END: normal
 
 // ANCHOR: f64
+use glam::DVec3;
+
 /// A hit whose distance and normal come from one calculation in f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {

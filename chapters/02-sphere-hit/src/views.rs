@@ -52,7 +52,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "far-stable",
-            caption: "The same sphere from the same distance, by the stable formula: as round as ever.",
+            caption: "The same sphere from the same distance, by the stable formula: to the eye, as round as ever.",
             knob: Some(DISTANCE),
             picture: |distance| from_afar(distance, Sphere::distance),
         },

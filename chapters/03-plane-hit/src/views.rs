@@ -24,7 +24,7 @@ pub const STAGE: Stage = Stage {
         },
         View {
             name: "point",
-            caption: "d·n is not 0: the ray hits the plane in one point.",
+            caption: "d·n is not 0: the line meets the plane in one point, and the ray hits it there if t is positive, as here.",
             knob: None,
             picture: |_| above_a_floor(Vec2::new(-1.1, 0.6), Vec2::new(0.8, -0.6)),
         },

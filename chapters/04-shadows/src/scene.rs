@@ -4,8 +4,7 @@
 use crate::{PointLight, Scene};
 use glam::Vec3;
 use plane_hit::scene::still_life;
-use plane_hit::{Object, Shape, Texture};
-use ray_casting::{Camera, SKY};
+use ray_casting::SKY;
 
 /// Returns the still life, made of `materials`, with its two lights.
 ///
@@ -21,6 +20,9 @@ pub fn lit_still_life<M>(materials: [M; 6]) -> Scene<M> {
 // ANCHOR_END: lit
 
 // ANCHOR: between
+use plane_hit::{Object, Shape, Texture};
+use ray_casting::Camera;
+
 /// Returns a scene of a ball on the floor, another high above it, and a light between the
 /// two; and a camera.
 pub fn light_between_balls() -> (Scene<Texture>, Camera) {

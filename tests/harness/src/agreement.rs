@@ -4,7 +4,7 @@
 //! The two agree to within one level in every pixel but a few, where a ray passes so near an
 //! edge that f32 and f64 put it on different sides:
 //!
-//! * in the one row of pixels next to the horizon, whose rays hit the floor some 10⁴ squares
+//! * in the one row of pixels next to the horizon, whose rays hit the floor some thousand squares
 //!   away, where the rounding of an f32 direction moves the hit by a good part of a square;
 //! * at the edge of a shadow, which the shadow bias moves by a fraction of a pixel;
 //! * in a mirror and in glass, which show those edges once more, and smaller.
