@@ -4,25 +4,39 @@ use canvas::RgbImage;
 use glam::UVec2;
 use reflection::{MAX_DEPTH, PathBudget};
 use refraction::scene::{AIR, GLASS, close_up, still_life_with_glass};
-use refraction::{refract_without_inverting, trace};
+use refraction::{Transmission, refract_without_inverting, trace};
 
-fn picture() -> RgbImage {
+fn picture(transmission: Transmission, [inside, outside]: [f32; 2]) -> RgbImage {
     let camera = close_up();
-    let scene = still_life_with_glass(GLASS, AIR);
+    let scene = still_life_with_glass(inside, outside);
     let budget = PathBudget::new(MAX_DEPTH);
     canvas::render(UVec2::new(320, 240), |pixel| {
-        let ray = camera.ray(pixel.centre());
-        trace(&scene, &ray, budget, refract_without_inverting)
+        trace(&scene, &camera.ray(pixel.centre()), budget, transmission)
     })
 }
 
 fn main() -> preview::ImageResult<()> {
-    preview::save_and_show(&picture(), "failed-ratio")
+    let picture = picture(refract_without_inverting, [GLASS, AIR]);
+    preview::save_and_show(&picture, "failed-ratio")
 }
 
 #[test]
-fn is_the_books_picture() {
-    let book = "../pictures/07-refraction--failed-ratio.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+fn are_the_books_pictures() {
+    use refraction::{refract_or_reflect, refract_without_total_reflection};
+    let pictures: [(&str, Transmission, [f32; 2]); 4] = [
+        ("failed-ratio", refract_without_inverting, [GLASS, AIR]),
+        ("ball", refract_or_reflect, [GLASS, AIR]),
+        (
+            "failed-total",
+            refract_without_total_reflection,
+            [AIR, GLASS],
+        ),
+        ("bubble", refract_or_reflect, [AIR, GLASS]),
+    ];
+    for (view, transmission, indices) in pictures {
+        let book = format!("../pictures/07-refraction--{view}.snap.png");
+        let differing = canvas::differing(&picture(transmission, indices), &book);
+        assert_eq!(differing.expect("a picture"), 0, "{view}");
+    }
 }
 // ANCHOR_END: main
