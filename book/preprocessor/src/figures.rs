@@ -3,7 +3,7 @@
 use canvas::{Stage, View};
 use mdbook_preprocessor::errors::{Error, Result};
 use preprocessor::{escape, study};
-use speed_and_accuracy::table::with_separators;
+use speed_and_accuracy::table::{for_readers, with_separators};
 use stages::STAGES;
 use std::fs;
 
@@ -85,7 +85,7 @@ impl Shown {
         let value = if self.setting.fract() == 0.0 {
             with_separators(self.setting as u64)
         } else {
-            self.setting.to_string()
+            for_readers(self.setting.into())
         };
         let words = format!("{} = {value} {}", knob.name, knob.unit);
         Some(words.trim_end().to_string())

@@ -22,7 +22,7 @@ const SHOWN: [(&str, &str); 6] = [
     ("jittered", "anywhere in each cell"),
     (
         "adaptive",
-        "four rays first (rings), and the others because those four differ: here the lower part of the pixel, in grey, has another light",
+        "four rays first (rings), and the others because those four differ: the grey part of this pixel has another colour than the rest",
     ),
     ("random", "anywhere in the pixel, in clumps and gaps"),
     (
