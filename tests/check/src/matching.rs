@@ -448,6 +448,10 @@ impl<'a> Observation<'a> {
             (least, at)
         });
         let best = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        // So little is half a pixel, or another arithmetic, and no other camera.
+        if best.1.iter().all(|moved| moved.abs().max_element() < 0.01) {
+            return None;
+        }
         let figure = seen_from(best.1);
         let samples = self.samples.iter().map(|sample| Sample {
             region: figure.region(sample.at, self.size),

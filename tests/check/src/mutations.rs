@@ -16,7 +16,8 @@ pub struct Mutation {
     pub faults: &'static [Fault],
 }
 
-/// A row for each cause; of causes that draw the same picture, the likeliest first.
+/// A row for each cause; of causes that draw the same picture, the likeliest first, and the special before
+/// the general.
 macro_rules! mutations {
     ($($name:literal $cause:literal $page:literal [$($fault:expr),+])*) => {
         &[$(Mutation { name: $name, cause: $cause, page: $page, faults: &[$($fault),+] }),*]
@@ -38,10 +39,10 @@ pub const MUTATIONS: &[Mutation] = mutations! {
     "fits-width" "the image plane is 2 wide, and should be 2 high" "01-ray-casting.md#where-is-a-pixel" [FitsWidth]
 
     // The camera.
-    "focal-length" "the focal length, and with it the field of view, is another one" "01-ray-casting.md#the-camera" [FocalTimes(0.5), FocalTimes(2.0), FocalTimes(0.65), FocalTimes(0.8), FocalTimes(1.25), FocalTimes(1.55)]
     "focal-inverted" "the focal length is tan α, and should be 1 / tan α" "01-ray-casting.md#the-camera" [FocalInverted]
     "whole-angle" "the field of view is twice as large: its tangent is that of the whole angle, not of half of it" "01-ray-casting.md#the-camera" [WholeAngle]
     "degrees" "the field of view's tangent is given degrees, and wants radians" "01-ray-casting.md#the-camera" [DegreesAsRadians]
+    "focal-length" "the focal length, and with it the field of view, is another one" "01-ray-casting.md#the-camera" [FocalTimes(0.5), FocalTimes(2.0), FocalTimes(0.65), FocalTimes(0.8), FocalTimes(1.25), FocalTimes(1.55)]
     "looks-back" "the camera looks the other way" "01-ray-casting.md#the-camera" [LooksBack]
     "not-tilted" "the camera looks straight along z, and should look where its forward points" "01-ray-casting.md#the-camera" [NotTilted]
     "target-as-direction" "the point to look at was taken for the direction: subtract the eye" "01-ray-casting.md#the-camera" [TargetAsDirection]

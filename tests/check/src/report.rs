@@ -14,7 +14,7 @@ use std::path::Path;
 pub const BELIEVED: f32 = 0.55;
 /// Fewer pixels may differ for any reason, like another arithmetic: all of them must be explained.
 const FEW: usize = 16;
-const NEARLY_ALL: f32 = 0.95;
+const ALL: f32 = 0.99;
 /// Causes whose explanations differ by less draw the same picture.
 const SAME: f32 = 1e-4;
 /// A cause that explains so much less than the likeliest is not named.
@@ -169,7 +169,7 @@ pub fn likely(observation: &Observation) -> (Option<Cause>, Vec<Cause>) {
     }
     let best = causes.first().map_or(0.0, |first| first.explained);
     let enough = if observation.differing() < FEW {
-        NEARLY_ALL
+        ALL
     } else {
         BELIEVED
     };
