@@ -709,6 +709,12 @@ pub fn guess<'a>(
         Fault::FocalTimes(2.0),
         Fault::SquarePlane,
         Fault::FitsWidth,
+        Fault::Brighter(2.0),
+        Fault::ToneMapped,
+        Fault::DecodedInstead,
+        Fault::NoFloor,
+        Fault::NormalInward,
+        Fault::LooksBack,
     ];
     // Nobody means a bug: the picture is the right one, and the bug is its cause.
     let references = figures
@@ -737,7 +743,7 @@ pub fn guess<'a>(
         })
         .collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
-    near.truncate(8);
+    near.truncate(16);
     let left = near.par_iter().map(|(_, reference)| {
         let seen =
             reference.observe(yours, if reference.figure.cost() > 4 { 48 } else { 128 });

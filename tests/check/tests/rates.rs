@@ -120,17 +120,15 @@ impl Rates {
         self.three += usize::from(rank.is_some());
     }
 
-    fn check(&self, which: &str) {
+    /// Prints them, and returns whether they are good enough.
+    fn are_good(&self, which: &str) -> bool {
         let percent = |n: usize| 100.0 * n as f64 / self.all as f64;
         let [first, three] = [self.first, self.three].map(percent);
         println!(
             "{which}: {} pictures, {first:.1} % named first, {three:.1} % among three",
             self.all
         );
-        assert!(
-            first >= 85.0 && three >= 95.0,
-            "{which}: {first:.1} %, {three:.1} %"
-        );
+        first >= 85.0 && three >= 95.0
     }
 }
 
@@ -223,13 +221,25 @@ fn check_rates(most: [usize; 2], guesses: bool) {
         .map(|row| {
             let most = most[usize::from(is_held_back(&MUTATIONS[row]))];
             let (cases, chapters) = cases(row, most, &figures);
-            let ranks = cases.iter().map(|case| {
+            let ranks = cases.iter().filter_map(|case| {
                 let reference = if guesses {
                     guess(&case.picture, &figures, &book)
                 } else {
                     named(case.view, &figures, &book)
                 };
                 let reference = reference.expect("a picture of the book");
+                // Glass that reflects nothing is chapter 7's picture, and equal to it, or to it in
+                // other colours.
+                let seen = reference.observe(&case.picture, 300);
+                let is_another = seen.differing() == 0
+                    || likely(&seen).0.is_some_and(|own| own.explained > 0.99);
+                if reference.name != case.view && is_another {
+                    println!(
+                        "{} {} is {}",
+                        case.mutation.name, case.view, reference.name
+                    );
+                    return None;
+                }
                 let (rank, names) = rank(case, reference);
                 if rank != Some(0) {
                     println!(
@@ -237,7 +247,7 @@ fn check_rates(most: [usize; 2], guesses: bool) {
                         case.mutation.name, case.view, case.how, reference.name
                     );
                 }
-                rank
+                Some(rank)
             });
             (row, ranks.collect::<Vec<_>>(), chapters)
         })
@@ -262,8 +272,9 @@ fn check_rates(most: [usize; 2], guesses: bool) {
         MUTATIONS.len()
     );
     assert!(in_two_chapters >= 60);
-    tuned.check("tuned");
-    held_back.check("held back");
+    let all = [("tuned", tuned), ("held back", held_back)];
+    let are_good = all.map(|(which, rates)| rates.are_good(which));
+    assert_eq!(are_good, [true; 2]);
 }
 
 /// At least 85 % of the causes are named first, and 95 % among the first three: of the mutations by
