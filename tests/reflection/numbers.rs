@@ -39,7 +39,12 @@ fn the_numbers_are_those_in_the_book() {
     let (start, theta) = head_on();
     numbers.note("growth", growth(start));
     numbers.note("growth-angle", format!("{:.1}°", theta.to_degrees()));
-    let cos2 = theta.cos() * theta.cos();
+    let cos_theta = start
+        .direction
+        .as_dvec3()
+        .normalize()
+        .dot(-start.origin.as_dvec3());
+    let cos2 = cos_theta * cos_theta;
     numbers.note("growth-factor", format!("{:.1}", 1.0 + 16.0 * cos2 * cos2));
     numbers.note("corridor", table([0, 1, 5, 10, 50].map(corridor)));
     let rays = render(&STAGE, "bouncing", HERO).rays;
