@@ -86,14 +86,21 @@ fn follow(book: &Path, left_out: Option<usize>) -> Result<Done, String> {
                         let place = text.strip_prefix(&format!("{file}, "))?;
                         Some((file.clone(), place.trim_end_matches(':').to_string()))
                     });
-                    let picture = links.iter().find(|link| link.starts_with("pictures/"));
+                    let pictures =
+                        links.iter().filter(|link| link.starts_with("pictures/"));
+                    let pictures: Vec<&String> = pictures.collect();
+                    for picture in &pictures {
+                        let kept = project.join(picture);
+                        let folder = kept.parent().expect("a folder");
+                        fs::create_dir_all(folder).expect("a folder");
+                        fs::copy(book.join(picture), &kept).expect("the book's picture");
+                    }
+                    let picture = pictures.first();
                     if let (true, [file, ..], Some(picture)) =
                         (text.contains("the same as"), &code[..], picture)
                     {
                         compare(&project.join(file), &book.join(picture))
                             .map_err(stuck)?;
-                        let kept = project.join(picture);
-                        fs::copy(book.join(picture), kept).expect("the book's picture");
                         done.pictures += 1;
                     }
                 }

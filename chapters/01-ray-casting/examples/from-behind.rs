@@ -24,6 +24,6 @@ fn main() -> preview::ImageResult<()> {
 #[test]
 fn is_the_solutions_picture() {
     let book = "../pictures/01-ray-casting--exercise-1.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture(), book).expect(book), 0);
 }
 // ANCHOR_END: main

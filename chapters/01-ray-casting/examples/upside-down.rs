@@ -22,6 +22,6 @@ fn main() -> preview::ImageResult<()> {
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/01-ray-casting--upside-down.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture(), book).expect(book), 0);
 }
 // ANCHOR_END: main

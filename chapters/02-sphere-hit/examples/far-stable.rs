@@ -25,7 +25,7 @@ fn main() -> preview::ImageResult<()> {
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/02-sphere-hit--far-stable.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture(), book).expect(book), 0);
 }
 // ANCHOR_END: main
 

@@ -27,6 +27,6 @@ fn main() -> preview::ImageResult<()> {
 #[test]
 fn is_the_books_picture() {
     let book = "../pictures/03-plane-hit--checker-in-space.snap.png";
-    assert_eq!(canvas::differing(&picture(), book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture(), book).expect(book), 0);
 }
 // ANCHOR_END: main

@@ -36,7 +36,7 @@ fn are_the_books_pictures() {
     for (view, transmission, indices) in pictures {
         let book = format!("../pictures/07-refraction--{view}.snap.png");
         let differing = canvas::differing(&picture(transmission, indices), &book);
-        assert_eq!(differing.expect("a picture"), 0, "{view}");
+        assert_eq!(differing.expect(&book), 0, "{view}");
     }
 }
 // ANCHOR_END: main

@@ -24,13 +24,13 @@ fn main() -> preview::ImageResult<()> {
 fn is_the_books_picture() {
     let book = "../pictures/09-anti-aliasing--jittered.snap.png";
     let picture = picture(jittered);
-    assert_eq!(canvas::differing(&picture, book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture, book).expect(book), 0);
 }
 
 #[test]
 fn the_adaptive_one_is_the_books_picture() {
     let book = "../pictures/09-anti-aliasing--adaptive.snap.png";
     let picture = picture(anti_aliasing::adaptive);
-    assert_eq!(canvas::differing(&picture, book).expect("a picture"), 0);
+    assert_eq!(canvas::differing(&picture, book).expect(book), 0);
 }
 // ANCHOR_END: main

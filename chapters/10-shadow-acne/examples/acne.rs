@@ -30,7 +30,7 @@ fn all_methods_draw_the_books_pictures() {
     for (view, spawn) in methods {
         let book = format!("../pictures/10-shadow-acne--{view}.snap.png");
         let differing = canvas::differing(&picture(spawn), &book);
-        assert_eq!(differing.expect("a picture"), 0, "{view}");
+        assert_eq!(differing.expect(&book), 0, "{view}");
     }
 }
 // ANCHOR_END: main

@@ -83,7 +83,7 @@ pub fn medium_along(
 pub type OpticsAt = fn(&[Object<Absorbing>], &Interaction) -> Option<Optics>;
 
 /// Returns the optics of a surface by the media that are really on its two sides. `None` if
-/// these have the same index of refraction, be it that a third body has displaced both.
+/// these have the same index of refraction, or if a third body has displaced both.
 pub fn between_media(objects: &[Object<Absorbing>], at: &Interaction) -> Option<Optics> {
     let optics = objects[at.index].material.material.optics;
     let Optics::Dielectric { eta_outside, .. } = optics else {
