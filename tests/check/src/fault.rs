@@ -108,7 +108,7 @@ pub enum Fault {
     AmbientWhite,
     AmbientShadowed,
     NoDiffuse,
-    /// k_a, k_d and k_s add up to 2.5.
+    /// k_s is 5 where there is a highlight.
     StrongSurfaces,
     DiffuseFlat,
     DiffuseBothSides,

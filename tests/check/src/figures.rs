@@ -976,7 +976,7 @@ pub fn figures(stored: Vec<(String, Image)>) -> Vec<Figure> {
         "adaptive",
         scene(Level::Reflects),
         still,
-        Sampler::Adaptive(8),
+        Sampler::Adaptive(4),
     );
     sampled("horizon-grid", floor(), horizon, Sampler::Regular(4));
     sampled("horizon-jittered", floor(), horizon, Sampler::Jittered(4));

@@ -577,8 +577,8 @@ impl Tracer<'_> {
 
     fn shade(&self, hit: &Hit) -> Vec3 {
         let mut material = self.scene.objects[hit.index].material;
-        if self.is(Fault::StrongSurfaces) {
-            (material.ambient, material.diffuse, material.specular) = (0.5, 1.0, 1.0);
+        if self.is(Fault::StrongSurfaces) && material.specular > 0.0 {
+            material.specular = 5.0;
         }
         let colour = self.colour(hit);
         let ambient = match self.fault {
