@@ -456,8 +456,9 @@ fn tab_digits_and_arrows_change_view_and_knob() {
     shown.press(DOWN, &["| specular | shininess 50 |"]);
     // The last view is followed by the first; a digit beyond the last view does nothing, nor does a
     // knob that is not there.
+    shown.press(TAB, &["| too-much-light |"]);
     shown.press(TAB, &["| combined |"]);
-    for key in ['5'.into(), '9'.into(), UP] {
+    for key in ['6'.into(), '9'.into(), UP] {
         screen.key(key, KEY_PRESS);
         sleep(Duration::from_millis(150));
         screen.key(key, KEY_RELEASE);
