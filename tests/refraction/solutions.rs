@@ -1,21 +1,12 @@
 //! The exercises' solutions, as the book prints them.
 
-use ::plane_hit::{Object, Shape, Texture};
+use ::plane_hit::{Object, Shape};
 use ::ray_casting::Ray;
 use ::reflection::PathBudget;
-use ::refraction::scene::{AIR, GLASS};
+use ::refraction::scene::{AIR, CLEAR, GLASS};
 use ::refraction::{Material, Optics, refract_or_reflect, trace};
-use ::shading::Phong;
 use ::shadows::Scene;
 use glam::Vec3;
-
-const CLEAR: Phong = Phong {
-    colour: Texture::Solid(Vec3::ONE),
-    ambient: 0.0,
-    diffuse: 0.0,
-    specular: 0.8,
-    shininess: 200,
-};
 
 // ANCHOR: exercise-1
 pub fn sea() -> Object<Material> {

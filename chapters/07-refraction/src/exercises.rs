@@ -1,24 +1,14 @@
 //! The chapter's exercises: functions for you to write.
 
-use crate::scene::{AIR, GLASS};
+use crate::scene::{AIR, CLEAR, GLASS};
 use crate::{Material, Optics, refract_or_reflect, trace};
 use glam::Vec3;
-use plane_hit::{Object, Shape, Texture};
+use plane_hit::{Object, Shape};
 use ray_casting::Ray;
 use reflection::PathBudget;
-use shading::Phong;
 use shadows::Scene;
 
 // ANCHOR: exercise-1
-/// A clear surface: of the lights it shows the highlights alone.
-const CLEAR: Phong = Phong {
-    colour: Texture::Solid(Vec3::ONE),
-    ambient: 0.0,
-    diffuse: 0.0,
-    specular: 0.8,
-    shininess: 200,
-};
-
 /// Returns the surface of a sea: the plane y = 1, with water of an index of 1.33 below it and
 /// air above.
 pub fn sea() -> Object<Material> {

@@ -16,23 +16,27 @@ pub const AIR: f32 = 1.0;
 /// The index of refraction of common glass.
 pub const GLASS: f32 = 1.5;
 
+/// A clear surface. It reflects nothing diffusely: of the lights it shows the highlights alone.
+pub const CLEAR: Phong = Phong {
+    colour: Texture::Solid(Vec3::ONE),
+    ambient: 0.0,
+    diffuse: 0.0,
+    specular: 0.8,
+    shininess: 200,
+};
+
 /// Returns the still life with its last ball of a dielectric, with an index of refraction
 /// inside and another all around it.
 pub fn still_life_with_glass(eta_inside: f32, eta_outside: f32) -> Scene<Material> {
     let [floor, red, mirror, green, blue, _] = still_life_mirrors().map(opaque);
-    // A clear ball reflects nothing diffusely. Of the lights it shows the highlights alone.
-    let phong = Phong {
-        colour: Texture::Solid(Vec3::ONE),
-        ambient: 0.0,
-        diffuse: 0.0,
-        specular: 0.8,
-        shininess: 200,
-    };
     let optics = Optics::Dielectric {
         eta_inside,
         eta_outside,
     };
-    let glass = Material { phong, optics };
+    let glass = Material {
+        phong: CLEAR,
+        optics,
+    };
     lit_still_life([floor, red, mirror, green, blue, glass])
 }
 
