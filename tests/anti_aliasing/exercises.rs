@@ -2,10 +2,9 @@
 //! `cargo test --test anti_aliasing exercise_1 -- --ignored`.
 
 use crate::solutions;
-use ::anti_aliasing::scene::horizon_camera;
+use ::anti_aliasing::scene::horizon_radiance;
 use ::anti_aliasing::{STAGE, Sampler, exercises, jittered, regular};
 use ::canvas::{Picture, Pixel};
-use ::plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
 use ::ray_casting::SKY;
 use glam::{UVec2, Vec2, Vec3};
 use harness::{SMALL, assert_close, check_solution, judge};
@@ -156,14 +155,8 @@ fn the_exercises_are_judged_rightly() {
 #[test]
 fn the_solutions_are_those_in_the_book() {
     let horizon = |n: u32, sampler: Sampler| {
-        let camera = horizon_camera();
-        let mut floor = still_life(STILL_LIFE_COLOURS);
-        floor.truncate(1);
-        Picture::new(move |pixel| {
-            sampler(pixel, n, &|point| {
-                ::plane_hit::trace(&floor, &camera.ray(point))
-            })
-        })
+        let radiance = horizon_radiance();
+        Picture::new(move |pixel| sampler(pixel, n, &radiance))
     };
     // As many samples per pixel's area as the other.
     let wide = horizon(16, solutions::triangle_filter);

@@ -1,17 +1,12 @@
 //! What the page has the reader write as a program of their own.
 // ANCHOR: main
 use anti_aliasing::mean_of_levels;
-use anti_aliasing::scene::horizon_camera;
+use anti_aliasing::scene::horizon_radiance;
 use canvas::RgbImage;
-use glam::{UVec2, Vec2};
-use plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
-use plane_hit::trace;
+use glam::UVec2;
 
 fn picture() -> RgbImage {
-    let camera = horizon_camera();
-    let mut floor = still_life(STILL_LIFE_COLOURS);
-    floor.truncate(1);
-    let radiance = |point: Vec2| trace(&floor, &camera.ray(point));
+    let radiance = horizon_radiance();
     canvas::render(UVec2::new(320, 240), |pixel| {
         mean_of_levels(pixel, 8, &radiance)
     })

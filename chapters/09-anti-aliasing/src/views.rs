@@ -1,12 +1,11 @@
 //! The chapter's pictures.
 
-use crate::scene::horizon_camera;
+use crate::scene::horizon_radiance;
 use crate::sobol::low_discrepancy;
 use crate::{Sampler, adaptive, clamped, jittered, mean_of_levels, regular};
 use canvas::{Knob, Picture, Scale, Stage, View, folder_name};
 use fresnel::{fresnel, trace};
 use glam::{Vec2, Vec3};
-use plane_hit::scene::{STILL_LIFE_COLOURS, still_life};
 use ray_casting::SKY;
 use ray_casting::scene::still_life_camera;
 use reflection::{MAX_DEPTH, PathBudget};
@@ -118,12 +117,7 @@ fn still_life_by(n: f32, sampler: Sampler) -> Picture {
 
 /// Returns the picture of the floor alone, in flat colours.
 fn horizon_by(n: f32, sampler: Sampler) -> Picture {
-    let camera = horizon_camera();
-    let mut floor = still_life(STILL_LIFE_COLOURS);
-    floor.truncate(1);
-    sampled(n, sampler, move |point| {
-        plane_hit::trace(&floor, &camera.ray(point))
-    })
+    sampled(n, sampler, horizon_radiance())
 }
 
 /// Returns the picture of white dots on black, their radius a quarter of a pixel in a
