@@ -10,6 +10,11 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
+/// Where the book explains what no row of the table does: a few pixels that differ, and the rest.
+pub const PLACES: [&str; 2] = [
+    "mathematics.md#floating-point-in-four-sentences",
+    "when-things-go-wrong.md#what-you-see-and-where-to-look",
+];
 /// A cause is named only if it explains at least this much of the difference.
 pub const BELIEVED: f32 = 0.55;
 /// Fewer pixels may differ for any reason, like another arithmetic: all of them must be explained.
@@ -144,11 +149,15 @@ pub fn judge(
     } else if !reference.has_size(yours.size) && is_scaled(yours, reference.book) {
         text += "this is the book's picture, scaled: draw it at its own size, and compare that\n";
     } else if share < 0.01 || comparison.worst <= 2 {
-        text += "no cause is known for so little: often it is only another precision, or another order of\nadditions, which moves a few pixels at edges (book/src/mathematics.md#floating-point-in-four-sentences)\n";
+        text += "no cause is known for so little: often it is only another precision, or another order of\n";
+        let _ = writeln!(
+            text,
+            "additions, which moves a few pixels at edges (book/src/{})",
+            PLACES[0]
+        );
     } else {
         text += "I do not know this one: it is a picture of your own, or a mistake that is not in my table\n";
-        text +=
-            "     see book/src/when-things-go-wrong.md#what-you-see-and-where-to-look\n";
+        let _ = writeln!(text, "     see book/src/{}", PLACES[1]);
     }
     if told.is_none() {
         text += "if it is meant to be another picture of the book, say which: --picture NAME\n";

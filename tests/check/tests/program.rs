@@ -332,8 +332,9 @@ exit 101
 #[test]
 fn causes_refer_to_places_of_the_book() {
     let pages = check::figures::folder().join("..");
-    for row in check::mutations::MUTATIONS {
-        let (page, anchor) = row.page.split_once('#').unwrap_or((row.page, ""));
+    let rows = check::mutations::MUTATIONS.iter().map(|row| row.page);
+    for place in rows.chain(check::report::PLACES) {
+        let (page, anchor) = place.split_once('#').unwrap_or((place, ""));
         let text = fs::read_to_string(pages.join(page)).expect(page);
         // As mdBook makes anchors of headings.
         let anchors = text.lines().filter_map(|line| {
@@ -348,8 +349,7 @@ fn causes_refer_to_places_of_the_book() {
         });
         assert!(
             anchor.is_empty() || anchors.into_iter().any(|a| a == anchor),
-            "{}",
-            row.page
+            "{place}"
         );
     }
 }
