@@ -9,6 +9,7 @@ use crate::figures::{Figure, Part};
 use crate::image::Image;
 use crate::levels::{decode, levels};
 use crate::mutations::{MUTATIONS, Mutation};
+use crate::report::likely;
 use crate::tracer::Region;
 use glam::Vec3;
 use rayon::prelude::*;
@@ -490,6 +491,21 @@ impl<'a> Observation<'a> {
         })
     }
 
+    /// Returns the difference, from 0 to 1, that the best of all faults leaves at these pixels.
+    fn least_left(&self) -> f32 {
+        let faults = MUTATIONS.iter().flat_map(|row| row.faults);
+        let left = [Fault::None].iter().chain(faults).map(|&fault| {
+            let samples = self.samples.iter();
+            let left = samples.map(|s| {
+                let drawn = self.figure.pixel(s.at, self.size, fault);
+                s.weight * distance(s.yours, drawn)
+            });
+            left.sum::<f32>()
+        });
+        let weight: f32 = self.samples.iter().map(|sample| sample.weight).sum();
+        left.fold(f32::INFINITY, f32::min) / weight
+    }
+
     /// Returns the difference, from 0 to 1, that the likeliest fault leaves unexplained.
     fn unexplained(&self) -> f32 {
         let guesses = self.guesses();
@@ -583,11 +599,13 @@ impl<'a> Observation<'a> {
             let direct = causes.iter().filter(|cause| cause.recoloured == 0);
             let direct = direct.map(|cause| cause.explained).fold(0.0, f32::max);
             let left = 1.0 - own.explained;
-            let best_left = 1.0
-                - best
-                - COST_OF_COLOUR * causes.first().map_or(0, |c| c.recoloured) as f32;
+            let recoloured = causes.first().map_or(0, |cause| cause.recoloured);
+            let cost = COST_OF_COLOUR * recoloured as f32;
+            let best_left = 1.0 - best - cost;
             let is_all = left < 0.01 && direct < NEARLY_ALL;
-            if is_all || (best < NEARLY_ALL && best_left > 0.4 * left) {
+            // Colours alone explain as much as the fault with colours does.
+            let is_useless = direct < best && left <= best_left + 1e-3;
+            if is_all || is_useless || (best < NEARLY_ALL && best_left > 0.4 * left) {
                 causes.insert(0, own);
             }
         }
@@ -684,73 +702,46 @@ pub fn equal<'a>(yours: &Image, book: &'a [(String, Image)]) -> Vec<&'a str> {
     equal.map(|(name, _)| &name[..]).collect()
 }
 
-/// Returns the picture of the book that the reader's is most likely meant to be: the one from which
-/// it differs least, but for what one of the faults explains.
+/// Returns the pictures of the book that the reader's may be meant to be, the likeliest first, three
+/// at most: those from which it differs least, but for what one of the faults explains.
 #[must_use]
 pub fn guess<'a>(
     yours: &Image,
     figures: &'a [Figure],
     book: &'a [(String, Image)],
-) -> Option<Reference<'a>> {
-    // What changes nearly every pixel is tried at once.
-    let everywhere = [
-        Fault::None,
-        Fault::FlipX,
-        Fault::FlipY,
-        Fault::HalfTurn,
-        Fault::Linear,
-        Fault::Gamma(2.2),
-        Fault::EncodedTwice,
-        Fault::Channels([2, 1, 0]),
-        Fault::Channels([0, 2, 1]),
-        Fault::Channels([1, 0, 2]),
-        Fault::Negative,
-        Fault::FocalTimes(0.5),
-        Fault::FocalTimes(2.0),
-        Fault::SquarePlane,
-        Fault::FitsWidth,
-        Fault::Brighter(2.0),
-        Fault::ToneMapped,
-        Fault::DecodedInstead,
-        Fault::NoFloor,
-        Fault::NormalInward,
-        Fault::LooksBack,
-    ];
+) -> Vec<Reference<'a>> {
     // Nobody means a bug: the picture is the right one, and the bug is its cause.
     let references = figures
         .iter()
         .filter(|figure| figure.cost() <= 64 && figure.shows == Fault::None);
-    let references: Vec<_> = references
-        .filter_map(|figure| named(figure.name(), figures, book))
-        .collect();
-    let mut near: Vec<_> = references
-        .par_iter()
-        .map(|reference| {
-            let seen = reference
-                .observe(yours, if reference.figure.cost() > 4 { 16 } else { 64 });
-            let left = everywhere.iter().map(|&fault| {
-                let samples = seen.samples.iter();
-                let left: f32 = samples
-                    .map(|s| {
-                        let drawn = reference.figure.pixel(s.at, seen.size, fault);
-                        s.weight * distance(s.yours, drawn)
-                    })
-                    .sum();
-                left
-            });
-            let weight: f32 = seen.samples.iter().map(|sample| sample.weight).sum();
-            (left.fold(f32::INFINITY, f32::min) / weight, *reference)
-        })
-        .collect();
-    near.sort_by(|a, b| a.0.total_cmp(&b.0));
-    near.truncate(16);
-    let left = near.par_iter().map(|(_, reference)| {
-        let seen =
-            reference.observe(yours, if reference.figure.cost() > 4 { 48 } else { 128 });
-        (seen.unexplained(), *reference)
+    let references = references.filter_map(|figure| named(figure.name(), figures, book));
+    let references: Vec<_> = references.collect();
+    let nearest = |references: &[Reference<'a>],
+                   most: usize,
+                   left: &(dyn Fn(&Reference) -> f32 + Sync)| {
+        let mut left: Vec<_> = references.par_iter().map(|r| (left(r), *r)).collect();
+        // Of equals the first in the book.
+        left.sort_by(|a, b| a.0.total_cmp(&b.0));
+        left.truncate(most);
+        let (_, references): (Vec<_>, Vec<_>) = left.into_iter().unzip();
+        references
+    };
+    let is_slow = |reference: &Reference| reference.figure.cost() > 4;
+    let near = nearest(&references, 24, &|reference| {
+        let count = if is_slow(reference) { 8 } else { 32 };
+        reference.observe(yours, count).least_left()
     });
-    let left: Vec<_> = left.collect();
-    // Of equals the nearest.
-    let best = left.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    best.map(|(_, reference)| reference)
+    let near = nearest(&near, 8, &|reference| {
+        let count = if is_slow(reference) { 48 } else { 128 };
+        reference.observe(yours, count).unexplained()
+    });
+    // Of these all causes are weighed, as the answer will name them.
+    nearest(&near, 3, &|reference| {
+        let seen = reference.observe(yours, 128);
+        let (own, causes) = likely(&seen);
+        // Another camera and other colours come near to much: a fault without them is likelier.
+        let own = own.map_or(0.0, |own| 0.95 * own.explained);
+        let explained = causes.first().map_or(own, |cause| cause.explained);
+        seen.difference() * (1.0 - explained)
+    })
 }

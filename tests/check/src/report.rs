@@ -24,6 +24,8 @@ const ALL: f32 = 0.99;
 const SAME: f32 = 1e-4;
 /// A cause that explains so much less than the likeliest is not named.
 const MUCH_LESS: f32 = 0.25;
+/// Of a picture that may also be meant, a cause must explain nearly as much as the likeliest.
+const LESS: f32 = 0.05;
 /// A picture is taken for one of the reader's own from here on.
 const OWN: f32 = 0.8;
 /// The most rays that are traced to count differing pixels.
@@ -55,11 +57,11 @@ pub fn judge(
     (folder, label): (&Path, &str),
 ) -> Option<Verdict> {
     let equals = equal(yours, book);
-    let reference = match (told, &equals[..]) {
-        (Some(name), _) => named(name, figures, book)?,
-        (None, [name, ..]) => named(name, figures, book)?,
-        (None, []) => guess(yours, figures, book)?,
+    let references = match told.or(equals.first().copied()) {
+        Some(name) => vec![named(name, figures, book)?],
+        None => guess(yours, figures, book),
     };
+    let reference = *references.first()?;
     let mut text = String::new();
     let verdict = |is_equal, causes, text| {
         Some(Verdict {
@@ -102,15 +104,7 @@ pub fn judge(
     let _ = writeln!(text, "{how} {}{of_size}", reference.name);
     text += &comparison.lines();
     let _ = writeln!(text, "  {}", save_heat_map(yours, reference, folder, label));
-    let observation = reference.observe(
-        yours,
-        if reference.figure.cost() > 4 {
-            SAMPLES / 4
-        } else {
-            SAMPLES
-        },
-    );
-    let (own, causes) = likely(&observation);
+    let (own, causes) = likely_among(yours, &references, SAMPLES);
     let share = f64::from(comparison.differ) / f64::from(comparison.count);
     if let Some(own) = own {
         let what = match (own.is_elsewhere, own.recoloured > 0) {
@@ -126,8 +120,14 @@ pub fn judge(
         text += "the likely causes, the likeliest first:\n";
         let mut number = 0;
         let mut before = f32::INFINITY;
-        for cause in &causes {
+        let mut meant = reference.name;
+        for (as_what, cause) in &causes {
             let Some(row) = cause.mutation else { continue };
+            if as_what.name != meant {
+                meant = as_what.name;
+                before = f32::INFINITY;
+                let _ = writeln!(text, "  or, if it is meant to be {meant}:");
+            }
             // Causes that draw the same picture here have the same number.
             if before - cause.explained > SAME {
                 number += 1;
@@ -162,6 +162,7 @@ pub fn judge(
     if told.is_none() {
         text += "if it is meant to be another picture of the book, say which: --picture NAME\n";
     }
+    let causes = causes.into_iter().map(|(_, cause)| cause).collect();
     verdict(false, causes, text)
 }
 
@@ -186,6 +187,39 @@ pub fn likely(observation: &Observation) -> (Option<Cause>, Vec<Cause>) {
     causes.retain(|cause| cause.mutation.is_some() && cause.explained >= believed);
     causes.truncate(3);
     (None, causes)
+}
+
+/// Returns the same for a picture that is probably meant to be the first of these, but may be
+/// another: what explains it as one of the others comes after what explains it as the first.
+#[must_use]
+pub fn likely_among<'a>(
+    yours: &Image,
+    references: &[Reference<'a>],
+    count: usize,
+) -> (Option<Cause>, Vec<(Reference<'a>, Cause)>) {
+    let mut all: Vec<(_, Cause)> = Vec::new();
+    for (i, reference) in references.iter().enumerate() {
+        let few = if reference.figure.cost() > 4 { 4 } else { 1 };
+        let (own, causes) = likely(&reference.observe(yours, count / few));
+        if i == 0 && own.is_some() {
+            return (own, all);
+        }
+        let best = all.first().map_or(0.0, |(_, first)| first.explained);
+        for cause in causes
+            .into_iter()
+            .filter(|cause| i == 0 || cause.explained > best - LESS)
+        {
+            let is_new = |(_, other): &(_, Cause)| {
+                let name = |cause: &Cause| cause.mutation.map(|row| row.name);
+                name(other) != name(&cause)
+            };
+            if all.iter().all(is_new) {
+                all.push((*reference, cause));
+            }
+        }
+    }
+    all.truncate(3);
+    (None, all)
 }
 
 /// Returns whether the picture is the book's, scaled: nearly every pixel is between the least and
