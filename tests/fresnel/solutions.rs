@@ -25,7 +25,7 @@ pub fn mended_schlick(cos_theta_i: f32, eta_i: f32, eta_t: f32) -> f32 {
 
 // ANCHOR: exercise-2
 pub fn brewster_cosine(eta_i: f32, eta_t: f32) -> f32 {
-    // The tangent is η₂/η₁, and 1 + tan² = 1/cos².
+    // The tangent is ηₜ/ηᵢ, and 1 + tan² = 1/cos².
     eta_i / (eta_i * eta_i + eta_t * eta_t).sqrt()
 }
 // ANCHOR_END: exercise-2

@@ -1,7 +1,9 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::Pixel;
 use glam::Vec3;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the light of the gradient, red to the right and green upwards, but with a blue that

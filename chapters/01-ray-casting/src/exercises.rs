@@ -1,8 +1,10 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::scene::still_life_camera;
 use crate::{Camera, Ray, SKY};
 use glam::{Vec2, Vec3};
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns a camera on the other side of the still life, at (0, 2, 7): it looks back, as far

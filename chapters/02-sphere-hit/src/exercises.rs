@@ -1,8 +1,10 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::{Sphere, T_MAX};
 use glam::Vec3;
 use ray_casting::Ray;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the distance to the first hit with 0 < t < `t_max`, as

@@ -1,7 +1,9 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::{Plane, is_even};
 use glam::{Vec2, Vec3};
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns whether a computed `point` of a plane, which rounding has put a little above or

@@ -1,10 +1,12 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::scene::lit_still_life;
 use crate::{PointLight, Scene, is_visible, trace};
 use glam::Vec3;
 use plane_hit::Texture;
 use ray_casting::Ray;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the still life, made of `materials`, with a third light where the camera's eye is,

@@ -1,9 +1,11 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::scene::still_life_surfaces;
 use crate::{Phong, phong};
 use glam::Vec3;
 use shadows::Interaction;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the still life's surfaces, each ball with another shininess: 5, 20, 80, 320 and 1280

@@ -1,10 +1,12 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::scene::still_life_mirrors;
 use crate::{Mirror, PathBudget, trace};
 use glam::Vec3;
 use ray_casting::Ray;
 use shadows::Scene;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the still life's surfaces with a floor that is a mirror as well, with a reflectivity

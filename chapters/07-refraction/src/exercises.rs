@@ -1,5 +1,6 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::scene::{AIR, CLEAR, GLASS};
 use crate::{Material, Optics, refract_or_reflect, trace};
 use glam::Vec3;
@@ -7,6 +8,7 @@ use plane_hit::{Object, Shape};
 use ray_casting::Ray;
 use reflection::PathBudget;
 use shadows::Scene;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the surface of a sea: the plane y = 1, with water of an index of 1.33 below it and

@@ -1,11 +1,13 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::{fresnel, schlick, trace};
 use glam::Vec3;
 use ray_casting::Ray;
 use reflection::PathBudget;
 use refraction::Material;
 use shadows::Scene;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns Schlick's approximation of the reflectance with the right cosine: that of the larger

@@ -1,8 +1,10 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::{jittered, regular};
 use canvas::Pixel;
 use glam::{Vec2, Vec3};
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns the weighted mean of n × n samples on a grid over a square twice as wide as the

@@ -1,8 +1,10 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::{SurfaceRay, with_scaled_offset, without_offset};
 use glam::Vec3;
 use shadows::Interaction;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Spawns a ray as [`with_scaled_offset`] does, but at a distance from the surface that is

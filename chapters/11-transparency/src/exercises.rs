@@ -1,11 +1,13 @@
 //! The chapter's exercises: functions for you to write.
 
+// ANCHOR: uses
 use crate::Absorbing;
 use crate::scene::AMBER;
 use glam::Vec3;
 use plane_hit::{Object, Shape, Texture};
 use refraction::{Material, Optics};
 use shading::Phong;
+// ANCHOR_END: uses
 
 // ANCHOR: exercise-1
 /// Returns what is left of a light of some colour behind a pane of glass, `thickness` thick,

@@ -47,7 +47,7 @@ fn panel(title: &str, [eta_i, eta_t]: [f64; 2]) -> Panel {
         "small",
         "middle",
         [x(45.0), ROWS[0] + 38.0],
-        "angle of incidence θ₁",
+        "angle of incidence θᵢ",
     );
 
     let brewster = brewster(eta_i, eta_t);
@@ -99,7 +99,7 @@ fn panel(title: &str, [eta_i, eta_t]: [f64; 2]) -> Panel {
     }
 
     let indices = format!(
-        "{title}: η₁ = {}, η₂ = {}",
+        "{title}: ηᵢ = {}, ηₜ = {}",
         number(eta_i, 1),
         number(eta_t, 1)
     );

@@ -44,7 +44,7 @@ const METHODS: [(&str, Method); 5] = [
     ("constant", normal_incidence),
 ];
 
-/// Returns the reflectance by Fresnel's formulas in c = cosθ₁ and g = η₂/η₁ cosθ₂, with
+/// Returns the reflectance by Fresnel's formulas in c = cosθᵢ and g = ηₜ/ηᵢ cosθₜ, with
 /// g² − c² as a product: so nothing is lost where the indices are nearly equal.
 ///
 /// Source: Cook and Torrance, "A Reflectance Model for Computer Graphics" (1982); g − c is
