@@ -5,15 +5,21 @@ use crate::solutions;
 use ::canvas::{Picture, Pixel, encode};
 use ::fresnel::{fresnel, trace};
 use ::interactive::{STAGE, exercises};
-use ::packets::sample_offset;
+use ::packets::{Lanes, sample_offsets};
 use ::ray_casting::Camera;
 use ::ray_casting::scene::still_life_camera;
 use ::reflection::{MAX_DEPTH, PathBudget};
 use ::refraction::scene::{AIR, GLASS, still_life_with_glass};
-use glam::{UVec2, Vec3};
+use glam::{UVec2, Vec2, Vec3};
 use harness::{
     Numbers, assert_close, bits, check_solution, judge, percent, three_digits,
 };
+
+/// Returns the offset of the i-th of a pixel's n × n samples from its centre.
+fn sample_offset(pixel: Pixel, n: u32, i: u32) -> Vec2 {
+    let [x, y] = sample_offsets(pixel, n, Lanes::splat(i as f32));
+    Vec2::new(x.to_array()[0], y.to_array()[0])
+}
 
 fn check_1(leaning: fn(&Camera, f32, f32) -> Camera) {
     let camera = still_life_camera();

@@ -127,7 +127,7 @@ fn the_exercises_are_judged_rightly() {
 fn planet_by(scale: f32, spawn: SpawnRay) -> Picture {
     let (scene, camera) = balls_on_a_planet(scale);
     Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         trace(&scene, &ray, PathBudget::new(MAX_DEPTH), spawn)
     })
 }

@@ -109,7 +109,7 @@ fn self_shadowing(name: &str) -> String {
     let light = scene.lights[0].position;
     let (mut lit, mut dark) = (0, 0);
     for pixel in Pixel::all(SMALL) {
-        let ray = from_eye(objects, camera.ray(pixel.centre()));
+        let ray = from_eye(objects, camera.eye)(camera.ray(pixel.centre()));
         let at = ray.intersect(objects);
         let Some(at) = at.filter(|at| objects[at.index].name == name) else {
             continue;

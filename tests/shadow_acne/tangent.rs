@@ -43,7 +43,7 @@ fn a_ray_along_a_ball_or_a_plane_does_not_enter_it() {
             let origin = point;
             for ray in [
                 from_surface(&at, direction),
-                from_eye(&objects, Ray { origin, direction }),
+                from_eye(&objects, origin)(Ray { origin, direction }),
             ] {
                 assert_eq!((ray.origin, ray.enters), (Some(0), enters), "{direction}");
                 assert_eq!(ray.ray, Ray { origin, direction });

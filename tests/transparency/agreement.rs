@@ -53,7 +53,7 @@ fn bodies_that_displace_each_other_agree_with_the_oracle() {
         let (scene, camera) = overlapping(seed);
         let exact = Model::Absorbing(scene.clone()).exactly();
         let picture = Picture::new(move |pixel| {
-            let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+            let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
             trace(&scene, &ray, budget, between_media)
         });
         let ours = Canvas::render(&picture, UVec2::new(64, 48));

@@ -155,7 +155,7 @@ fn the_exercises_are_judged_rightly() {
 fn picture_of(scene: Scene<Absorbing>, camera: Camera) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
     Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, between_media)
     })
 }
@@ -172,7 +172,7 @@ fn the_solutions_are_those_in_the_book() {
     let scene = absorbing_still_life(AMBER);
     let camera = still_life_camera();
     let foggy = Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         let light = trace(&scene, &ray, PathBudget::new(MAX_DEPTH), between_media);
         let distance = ray
             .intersect(&scene.objects)

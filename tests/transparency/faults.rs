@@ -67,7 +67,7 @@ fn scene(objects: Vec<Object<Absorbing>>) -> Scene<Absorbing> {
 }
 
 fn radiance(scene: &Scene<Absorbing>, origin: Vec3, direction: Vec3) -> f64 {
-    let ray = from_eye(&scene.objects, Ray { origin, direction });
+    let ray = from_eye(&scene.objects, origin)(Ray { origin, direction });
     let budget = PathBudget::new(MAX_DEPTH);
     f64::from(trace(scene, &ray, budget, between_media).x)
 }
@@ -194,13 +194,11 @@ fn two_overlapping_lenses_of_one_glass_have_no_border_between_them() {
     let one = straight_down(vec![glowing(below(-3.0)), lens(0.0)]);
     assert!(is_close(two, one));
     let scene = scene(vec![glowing(below(-3.0)), lens(-0.5), lens(0.5)]);
-    let ray = from_eye(
-        &scene.objects,
-        Ray {
-            origin: 9.0 * Vec3::Y,
-            direction: Vec3::NEG_Y,
-        },
-    );
+    let origin = 9.0 * Vec3::Y;
+    let ray = from_eye(&scene.objects, origin)(Ray {
+        origin,
+        direction: Vec3::NEG_Y,
+    });
     let alone = trace(&scene, &ray, PathBudget::new(MAX_DEPTH), as_if_alone);
     assert!((f64::from(alone.x) - 0.8571).abs() < 1e-3, "{alone}");
 }
@@ -289,7 +287,7 @@ proptest! {
         scene.background = Vec3::ONE;
         let (origin, direction) = (4.0 * from, (0.8 * aside - 4.0 * from).normalize());
         let ray = Ray { origin: origin.as_vec3(), direction: direction.as_vec3() };
-        let ray = from_eye(&scene.objects, ray);
+        let ray = from_eye(&scene.objects, ray.origin)(ray);
         let budget = PathBudget { depth: 1000, throughput: 1.0, min_throughput: 1e-5 };
         let radiance = trace(&scene, &ray, budget, between_media).x;
         prop_assert!((0.97..=1.0001).contains(&radiance), "{radiance}");
@@ -367,7 +365,7 @@ fn bodies_that_touch_are_entered_and_left_once() {
             origin: 9.0 * Vec3::Y,
             direction: Vec3::NEG_Y,
         };
-        let ray = from_eye(&clear.objects, ray);
+        let ray = from_eye(&clear.objects, ray.origin)(ray);
         let light = shadow_transmittance(&clear, &ray, -2.0 * Vec3::Y, 11.0);
         assert!(is_close(f64::from(light.x), exp(-absorbed)), "{i}: {light}");
     }

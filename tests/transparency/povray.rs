@@ -76,7 +76,7 @@ fn water() -> (Scene<Absorbing>, Camera) {
 fn glass_in_the_water_is_as_povray_renders_it() {
     let (scene, camera) = water();
     let picture = Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         trace(&scene, &ray, PathBudget::new(MAX_DEPTH), between_media)
     });
     let radiance = Canvas::render(&picture, SMALL).radiance;

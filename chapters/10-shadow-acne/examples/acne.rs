@@ -9,8 +9,9 @@ use shadow_acne::{SpawnRay, from_eye, trace, without_offset};
 fn picture(spawn: SpawnRay) -> RgbImage {
     let (scene, camera) = balls_on_a_planet(1.0);
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     canvas::render(UVec2::new(320, 240), |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = start(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, spawn)
     })
 }

@@ -11,8 +11,9 @@ fn picture() -> RgbImage {
     let camera = still_life_camera();
     let scene = still_life_with_glass(GLASS, AIR);
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     canvas::render(UVec2::new(800, 600), |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = start(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, from_surface)
     })
 }

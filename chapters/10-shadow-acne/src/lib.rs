@@ -99,20 +99,19 @@ pub fn from_surface(at: &Interaction, direction: Vec3) -> SurfaceRay {
     }
 }
 
-/// Returns a camera's ray. If the eye lies on the surface of an object, the ray starts on it,
-/// and does not hit it where it starts. Of several such objects it knows the first alone.
-#[inline]
-pub fn from_eye<M>(objects: &[Object<M>], ray: Ray) -> SurfaceRay {
-    let mut shapes = objects.iter().map(|object| object.shape);
-    let origin = shapes.position(|shape| is_on_surface(&shape, ray.origin));
-    let enters = origin.is_some_and(|index| {
-        let outward = objects[index].shape.normal(ray.origin);
-        outward.dot(ray.direction) < 0.0
-    });
-    SurfaceRay {
+/// Returns a function that starts rays at the eye of a camera. If the eye lies on the surface
+/// of an object, they start on it, and do not hit it where they start. Of several such objects
+/// it knows the first alone.
+pub fn from_eye<M>(
+    objects: &[Object<M>],
+    eye: Vec3,
+) -> impl Fn(Ray) -> SurfaceRay + use<M> {
+    let origin = objects.iter().position(|it| is_on_surface(&it.shape, eye));
+    let outward = origin.map(|index| objects[index].shape.normal(eye));
+    move |ray| SurfaceRay {
         ray,
         origin,
-        enters,
+        enters: outward.is_some_and(|outward| outward.dot(ray.direction) < 0.0),
     }
 }
 
@@ -132,7 +131,7 @@ impl SurfaceRay {
     /// Returns the distance to the first hit with 0 < t < `t_max` on the object with this
     /// index. `None` if there is none. The object on which the ray starts can be hit again
     /// only from inside.
-    #[inline]
+    #[inline(always)]
     pub fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {
         if self.origin != Some(index) {
             return shape.distance(&self.ray, t_max);

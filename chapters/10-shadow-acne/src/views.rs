@@ -69,8 +69,9 @@ const SCALE: Knob = Knob {
 
 fn picture_of(scene: Scene<Material>, camera: Camera, spawn: SpawnRay) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = start(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, spawn)
     })
 }

@@ -10,8 +10,9 @@ use transparency::{as_if_alone, trace};
 fn picture() -> RgbImage {
     let (scene, camera) = pool();
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     canvas::render(UVec2::new(320, 240), |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = start(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, as_if_alone)
     })
 }

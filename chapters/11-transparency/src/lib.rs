@@ -25,6 +25,7 @@ use sphere_hit::T_MAX;
 /// `absorption` is the rate a, at least 0, per unit of length.
 ///
 /// Source: the Beer–Lambert law (Bouguer 1729).
+#[inline]
 pub fn transmittance(absorption: Vec3, distance: f32) -> Vec3 {
     (-absorption * distance).map(libm::expf)
 }
@@ -47,6 +48,7 @@ pub struct Absorbing {
 /// Returns the fraction of light that the media on the way transmit, and the hit with its
 /// optics; `None` if there is none. Counts a ray for each surface that it crosses, and one
 /// more for the rest of the way, even if that meets nothing.
+#[inline]
 pub fn follow(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,
@@ -69,6 +71,7 @@ pub fn follow(
 // ANCHOR: through
 /// Returns the shadow ray from a hit towards a light in front of the surface: it starts on the
 /// side from which the ray has come, even if the light lies in the surface.
+#[inline]
 pub fn shadow_ray(at: &Interaction, to_light: Vec3) -> SurfaceRay {
     SurfaceRay {
         enters: !at.enters(),
@@ -82,6 +85,7 @@ pub fn shadow_ray(at: &Interaction, to_light: Vec3) -> SurfaceRay {
 ///
 /// Refraction and reflection by these media are ignored, so that the shadow of a ball of glass
 /// has a colour but no caustic.
+#[inline]
 pub fn shadow_transmittance(
     scene: &Scene<Absorbing>,
     ray: &SurfaceRay,

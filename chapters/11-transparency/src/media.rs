@@ -21,6 +21,7 @@ pub struct Medium {
 
 impl Medium {
     /// Returns the fraction of light that passes through some thickness of it.
+    #[inline]
     fn transmittance(self, distance: f32) -> Vec3 {
         if self.absorption == Vec3::ZERO {
             return Vec3::ONE;
@@ -36,6 +37,7 @@ impl Medium {
 ///
 /// Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images" (2002); our
 /// priority is the place in the list.
+#[inline]
 fn medium(
     objects: &[Object<Absorbing>],
     contains: impl Fn(usize, &Shape) -> bool,
@@ -63,6 +65,7 @@ fn medium(
 
 /// Returns the medium of a stretch of a ray, `distance` long, on which the ray crosses no
 /// surface: that in its middle, as far from the surfaces at its ends as can be.
+#[inline]
 pub fn medium_along(
     objects: &[Object<Absorbing>],
     ray: &SurfaceRay,
@@ -84,6 +87,7 @@ pub type OpticsAt = fn(&[Object<Absorbing>], &Interaction) -> Option<Optics>;
 
 /// Returns the optics of a surface by the media that are really on its two sides. `None` if
 /// these have the same index of refraction, or if a third body has displaced both.
+#[inline]
 pub fn between_media(objects: &[Object<Absorbing>], at: &Interaction) -> Option<Optics> {
     let optics = objects[at.index].material.material.optics;
     let Optics::Dielectric { eta_outside, .. } = optics else {
@@ -127,6 +131,7 @@ pub(crate) struct Way<'a> {
 }
 
 impl<'a> Way<'a> {
+    #[inline]
     pub(crate) fn new(objects: &'a [Object<Absorbing>], ray: &SurfaceRay) -> Self {
         Self {
             objects,
@@ -138,6 +143,7 @@ impl<'a> Way<'a> {
 
     /// Goes on to the next surface with 0 < t < `t_max` of the objects that `is_met` holds
     /// for, or to `t_max` if there is none.
+    #[inline]
     pub(crate) fn go_on(
         &mut self,
         t_max: f32,
@@ -158,6 +164,7 @@ impl<'a> Way<'a> {
     ///
     /// A body is convex: what has been entered is left next, and what has been left is not
     /// entered again. Where two surfaces touch, rounding would have it otherwise.
+    #[inline(always)]
     fn distance(&self, index: usize, shape: &Shape, t_max: f32) -> Option<f32> {
         let mut crossings = self.crossed.iter().rev();
         let last = crossings.find(|crossing| crossing.0 == index);
@@ -175,6 +182,7 @@ impl<'a> Way<'a> {
     }
 
     /// Crosses the surface that has been met.
+    #[inline]
     pub(crate) fn cross(&mut self, at: &Interaction) {
         self.crossed.push((at.index, at.enters()));
         self.ray = from_surface(at, at.incident);

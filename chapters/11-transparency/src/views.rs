@@ -66,8 +66,9 @@ fn pool_by(optics_at: OpticsAt) -> Picture {
 
 fn render(scene: Scene<Absorbing>, camera: Camera, optics_at: OpticsAt) -> Picture {
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = start(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, optics_at)
     })
 }

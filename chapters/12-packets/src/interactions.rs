@@ -1,11 +1,10 @@
 //! The hits of a packet on one object: shading and scattering in lanes.
 
 use crate::{Lanes, Packet, Vec3x16};
-use glam::Vec3;
 use plane_hit::{Object, Shape, Texture};
 use refraction::{Material, Optics};
 use shading::{Phong, powi};
-use shadows::{MIN_COS_THETA, ROUNDING};
+use shadows::{MIN_COS_THETA, PointLight, ROUNDING};
 use sphere_hit::Sphere;
 
 // ANCHOR: interaction
@@ -68,7 +67,8 @@ impl<'a> Interactions<'a> {
     }
 
     /// Returns a mask of the hits that have a light in front of them.
-    pub fn are_in_front(&self, light: Vec3) -> Lanes {
+    pub fn are_in_front(&self, light: &PointLight) -> Lanes {
+        let light = &light.position;
         let (height, surface) = match self.shape {
             Shape::Plane(plane) => {
                 (Lanes::splat(plane.normal.dot(light - plane.point)), 0.0)
@@ -139,10 +139,14 @@ pub fn phong(
     to_light: Vec3x16,
 ) -> (Vec3x16, Lanes) {
     let cos_theta_l = from_0_to_1(at.normal.dot(to_light));
-    let diffuse = colour * (surface.diffuse * cos_theta_l);
-    let reflected = at.normal * (2.0 * cos_theta_l) - to_light;
-    let cos_alpha = from_0_to_1(-reflected.dot(at.incident));
-    let sum = diffuse + surface.specular * powi(cos_alpha, surface.shininess);
+    let mut sum = colour * (surface.diffuse * cos_theta_l);
+    if surface.specular > 0.0 {
+        let reflected = at.normal * (2.0 * cos_theta_l) - to_light;
+        let cos_alpha = from_0_to_1(-reflected.dot(at.incident));
+        if (at.active & cos_alpha.simd_gt(0.0)).any() {
+            sum = sum + surface.specular * powi(cos_alpha, surface.shininess);
+        }
+    }
     let is_black = sum.x.simd_eq(0.0) & sum.y.simd_eq(0.0) & sum.z.simd_eq(0.0);
     (sum, !is_black)
 }

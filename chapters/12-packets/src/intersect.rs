@@ -2,10 +2,9 @@
 
 use crate::{Lanes, Vec3x16};
 use canvas::count_rays;
-use glam::Vec3;
 use plane_hit::{Object, Plane, Shape};
 use refraction::Material;
-use shadows::is_on_surface;
+use shadows::{PointLight, is_on_surface};
 use sphere_hit::{Sphere, T_MAX};
 use std::cell::Cell;
 
@@ -33,22 +32,6 @@ impl Packet {
     #[inline]
     pub fn at(&self, t: Lanes) -> Vec3x16 {
         self.origin + self.direction * t
-    }
-
-    /// Returns the same camera rays, which start on the object on whose surface the eye lies,
-    /// if there is one, as `shadow_acne::from_eye` does.
-    pub fn from_eye(self, objects: &[Object<Material>], eye: Vec3) -> Self {
-        let mut shapes = objects.iter().map(|object| object.shape);
-        let origin_object = shapes.position(|shape| is_on_surface(&shape, eye));
-        let enters = origin_object.map_or(Lanes::splat(0.0), |index| {
-            let outward = Vec3x16::splat(objects[index].shape.normal(eye));
-            outward.dot(self.direction).simd_lt(0.0)
-        });
-        Self {
-            origin_object,
-            enters,
-            ..self
-        }
     }
     // ANCHOR_END: packet
 
@@ -157,7 +140,7 @@ impl Packet {
     pub fn unoccluded(
         &self,
         objects: &[Object<Material>],
-        light: Vec3,
+        light: &PointLight,
         distance: Lanes,
     ) -> Lanes {
         count(self.active);
@@ -165,7 +148,7 @@ impl Packet {
         for (index, Object { shape, .. }) in objects.iter().enumerate() {
             if let Some((mut mask, t)) = self.distance(index, shape, unoccluded, distance)
             {
-                if is_on_surface(shape, light) {
+                if is_on_surface(shape, light.position) {
                     mask &= self.is_entered(shape, t) ^ self.is_entered(shape, distance);
                 }
                 unoccluded &= !mask;

@@ -13,6 +13,12 @@ pub use wide::f32x16 as Lanes;
 /// The number of lanes.
 pub const LANES: usize = 16;
 
+/// Returns the lanes' numbers, from 0.
+#[inline]
+pub fn lanes() -> Lanes {
+    Lanes::new(std::array::from_fn(|lane| lane as f32))
+}
+
 /// A vector in every lane; sums and products have the order of glam's.
 #[derive(Clone, Copy, Debug)]
 pub struct Vec3x16 {
@@ -78,12 +84,11 @@ impl Vec3x16 {
         squared.simd_ge(f32::MIN_POSITIVE) & squared.simd_lt(f32::INFINITY)
     }
 
-    /// Writes the first lanes to `out`, [`LANES`] at the most.
-    pub fn write(self, out: &mut [Vec3]) {
+    /// Returns the vectors, lane by lane.
+    #[inline]
+    pub fn to_array(self) -> [Vec3; LANES] {
         let [x, y, z] = [self.x, self.y, self.z].map(Lanes::to_array);
-        for (lane, out) in out.iter_mut().take(LANES).enumerate() {
-            *out = Vec3::new(x[lane], y[lane], z[lane]);
-        }
+        std::array::from_fn(|lane| Vec3::new(x[lane], y[lane], z[lane]))
     }
 }
 // ANCHOR_END: vectors

@@ -102,7 +102,7 @@ pub fn explain<'a>(
     point: Vec2,
     budget: PathBudget,
 ) -> Explained<'a> {
-    let ray = from_eye(&scene.objects, camera.ray(point));
+    let ray = from_eye(&scene.objects, camera.eye)(camera.ray(point));
     let throughput = budget.throughput;
     trace(scene, &ray, RayKind::Camera, 1.0, throughput, Some(budget))
 }

@@ -8,7 +8,6 @@ use canvas::srgb::encode;
 use canvas::{Knob, Picture, Pixel, Scale, Stage, View, decode, folder_name};
 use fresnel::fresnel;
 use glam::{Vec2, Vec3};
-use packets::{LANES, Lanes, camera_rays, sample_offset};
 use ray_casting::Camera;
 use ray_casting::scene::still_life_camera;
 use reflection::MAX_DEPTH;
@@ -202,11 +201,7 @@ fn still_life(camera: Camera, n: f32) -> Picture {
 fn still_life_sample(camera: Camera, n: u32, i: u32) -> Picture {
     let scene = still_life_with_glass(GLASS, AIR);
     Picture::from_spans(move |first, span| {
-        for (x, out) in (first.x..).step_by(LANES).zip(span.chunks_mut(LANES)) {
-            let first = Pixel { x, ..first };
-            let rays = camera_rays(&camera, first, out.len(), sample_offset(first, n, i));
-            packets::trace(&scene, &rays, budget(), Lanes::splat(1.0)).write(out);
-        }
+        packets::render_sample(&scene, &camera, budget(), [n, i], first, span);
     })
 }
 

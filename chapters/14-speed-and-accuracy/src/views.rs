@@ -164,7 +164,7 @@ fn bias_error(bias: f32) -> Picture {
     let exact = exact_picture(&Model::Plain(scene.clone()), camera);
     let budget = PathBudget::new(MAX_DEPTH);
     let ours = move |pixel: Pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         trace(&scene, &ray, budget, |at, direction| {
             let origin = at.point + bias * face_forward(at.outward, -direction);
             untracked(Ray { origin, direction })

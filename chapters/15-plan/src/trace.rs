@@ -45,7 +45,7 @@ impl Plan {
     /// Source: after Hall and Greenberg, "A Testbed for Realistic Image Synthesis" (1983).
     pub fn trace(&self, ray: Ray) -> Sample {
         let scene = &self.scene;
-        let mut ray = from_eye(&scene.objects, ray);
+        let mut ray = from_eye(&scene.objects, ray.origin)(ray);
         let mut throughput = Vec3::ONE;
         let (mut sample, mut pending) = (Sample::default(), Vec::new());
         for _ in 0..MAX_RAYS {

@@ -106,8 +106,9 @@ pub fn scalar_picture(
     budget: PathBudget,
     n: u32,
 ) -> Picture {
+    let start = from_eye(&scene.objects, camera.eye);
     let radiance = move |point| {
-        let ray = from_eye(&scene.objects, camera.ray(point));
+        let ray = start(camera.ray(point));
         shadow_acne::trace(&scene, &ray, budget, from_surface)
     };
     Picture::new(move |pixel| regular(pixel, n, &radiance))

@@ -163,11 +163,11 @@ impl Model {
     pub fn trace(&self, ray: Ray, budget: PathBudget) -> Vec3 {
         match self {
             Self::Plain(scene) => {
-                let ray = from_eye(&scene.objects, ray);
+                let ray = from_eye(&scene.objects, ray.origin)(ray);
                 shadow_acne::trace(scene, &ray, budget, from_surface)
             }
             Self::Absorbing(scene) => {
-                let ray = from_eye(&scene.objects, ray);
+                let ray = from_eye(&scene.objects, ray.origin)(ray);
                 transparency::trace(scene, &ray, budget, transparency::between_media)
             }
         }

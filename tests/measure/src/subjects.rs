@@ -4,7 +4,6 @@ use crate::scenes::plain_scene;
 use anti_aliasing::{Sampler, jittered};
 use canvas::{Canvas, Picture, Pixel};
 use glam::{DVec3, UVec2, Vec2, Vec3};
-use packets::{LANES, Lanes};
 use plane_hit::is_even;
 use ray_casting::Camera;
 use rayon::prelude::*;
@@ -55,16 +54,12 @@ impl Subject {
     fn still_life() -> Self {
         let (scene, camera) = plain_scene("still-life");
         let budget = PathBudget::new(MAX_DEPTH);
+        let start = from_eye(&scene.objects, camera.eye);
         let mut subject = Self {
             name: "still life",
             size: UVec2::new(32, 24),
             radiance: Arc::new(move |point| {
-                trace(
-                    &scene,
-                    &from_eye(&scene.objects, camera.ray(point)),
-                    budget,
-                    from_surface,
-                )
+                trace(&scene, &start(camera.ray(point)), budget, from_surface)
             }),
             means: Vec::new(),
             finest: 16,
@@ -113,21 +108,15 @@ pub fn finely_sampled(
 ) -> Picture {
     const N: u32 = 16;
     Picture::from_spans(move |first, span| {
-        for (x, out) in (first.x..).step_by(LANES).zip(span.chunks_mut(LANES)) {
-            let first = Pixel { x, ..first };
-            let mut sums = [DVec3::ZERO; LANES];
-            for i in 0..N * N {
-                let offset = packets::sample_offset(first, N, i);
-                let rays = packets::camera_rays(&camera, first, out.len(), offset);
-                let throughput = Lanes::splat(budget.throughput);
-                packets::trace(&scene, &rays, budget, throughput).write(out);
-                for (sum, radiance) in sums.iter_mut().zip(&*out) {
-                    *sum += radiance.as_dvec3();
-                }
+        let mut sums = vec![DVec3::ZERO; span.len()];
+        for i in 0..N * N {
+            packets::render_sample(&scene, &camera, budget, [N, i], first, span);
+            for (sum, radiance) in sums.iter_mut().zip(&*span) {
+                *sum += radiance.as_dvec3();
             }
-            for (out, sum) in out.iter_mut().zip(sums) {
-                *out = (sum / f64::from(N * N)).as_vec3();
-            }
+        }
+        for (out, sum) in span.iter_mut().zip(sums) {
+            *out = (sum / f64::from(N * N)).as_vec3();
         }
     })
 }

@@ -82,7 +82,7 @@ pub const BRANCHED: [(&str, Tracer); 4] = [
     ("transparency", |scene, camera, budget| {
         let scene = scene.clone();
         Picture::new(move |pixel| {
-            let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+            let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
             transparency::trace(&scene, &ray, budget, between_media)
         })
     }),
@@ -134,7 +134,7 @@ fn spawned_by(
 ) -> Picture {
     let scene = scene.clone().map(unabsorbing);
     Picture::new(move |pixel| {
-        let ray = from_eye(&scene.objects, camera.ray(pixel.centre()));
+        let ray = from_eye(&scene.objects, camera.eye)(camera.ray(pixel.centre()));
         shadow_acne::trace(&scene, &ray, budget, spawn)
     })
 }

@@ -124,14 +124,10 @@ fn lit(n: u32, lights: u32) -> Picture {
         light.intensity /= lights as f32;
     }
     let budget = PathBudget::new(MAX_DEPTH);
+    let start = from_eye(&scene.objects, camera.eye);
     Picture::new(move |pixel| {
         regular(pixel, n, &|point| {
-            trace(
-                &scene,
-                &from_eye(&scene.objects, camera.ray(point)),
-                budget,
-                from_surface,
-            )
+            trace(&scene, &start(camera.ray(point)), budget, from_surface)
         })
     })
 }
