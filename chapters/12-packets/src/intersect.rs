@@ -3,7 +3,6 @@
 use crate::{Lanes, Vec3x16};
 use canvas::count_rays;
 use plane_hit::{Object, Plane, Shape};
-use refraction::Material;
 use shadows::{PointLight, is_on_surface};
 use sphere_hit::{Sphere, T_MAX};
 use std::cell::Cell;
@@ -119,7 +118,7 @@ impl Packet {
     /// distance. Counts the rays.
     // Not `always`: unoptimised, 64 bounces would no longer fit onto a thread's stack.
     #[inline]
-    pub fn nearest(&self, objects: &[Object<Material>]) -> (Lanes, Lanes) {
+    pub fn nearest<M>(&self, objects: &[Object<M>]) -> (Lanes, Lanes) {
         count(self.active);
         let mut nearest = Lanes::splat(-1.0);
         let mut nearest_t = Lanes::splat(T_MAX);
@@ -137,9 +136,9 @@ impl Packet {
     /// Returns a mask of the rays that hit nothing before a light, some distances away. Counts
     /// the rays.
     #[inline]
-    pub fn unoccluded(
+    pub fn unoccluded<M>(
         &self,
-        objects: &[Object<Material>],
+        objects: &[Object<M>],
         light: &PointLight,
         distance: Lanes,
     ) -> Lanes {

@@ -4,6 +4,7 @@
 use crate::Random;
 use crate::pictures::camera_rays;
 use glam::{UVec2, Vec3};
+use packets::{LANES, Lanes, Packet, Vec3x16};
 use plane_hit::{Object, Shape};
 use ray_casting::{Camera, Ray};
 use sphere_hit::{Sphere, T_MAX};
@@ -44,6 +45,25 @@ pub fn rays() -> [(&'static str, Vec<Ray>); 2] {
     };
     let incoherent = (0..coherent.len()).map(across).collect();
     [("camera", coherent), ("random", incoherent)]
+}
+
+/// Returns the same rays in packets; their number is a multiple of [`LANES`].
+#[must_use]
+pub fn packets(rays: &[Ray]) -> Vec<Packet> {
+    let lanes = |rays: &[Ray; LANES], vector: fn(&Ray) -> Vec3| {
+        let [x, y, z] =
+            [0, 1, 2].map(|axis| Lanes::new(rays.map(|ray| vector(&ray)[axis])));
+        Vec3x16 { x, y, z }
+    };
+    let (packets, _) = rays.as_chunks();
+    let packets = packets.iter().map(|rays| Packet {
+        origin: lanes(rays, |ray| ray.origin),
+        direction: lanes(rays, |ray| ray.direction),
+        origin_object: None,
+        enters: Lanes::splat(0.0),
+        active: Lanes::splat(0.0).simd_eq(0.0),
+    });
+    packets.collect()
 }
 
 /// A bounding volume hierarchy: a box around spheres, and in it the boxes around either

@@ -8,7 +8,7 @@ use anti_aliasing::regular;
 use canvas::{Canvas, Picture};
 use glam::UVec2;
 use measure::Random;
-use measure::bvh::{Bvh, anywhere, cloud, rays};
+use measure::bvh::{Bvh, anywhere, cloud, packets, rays};
 use measure::pictures::{frame, render};
 use measure::scenes::{plain_scene, scene};
 use packets::LANES;
@@ -60,18 +60,27 @@ fn spheres(clock: &Clock) -> Vec<Measurement> {
             let objects = cloud(count);
             let bvh = Bvh::new(&objects);
             // Few rays for many spheres: a short job is not interrupted.
-            let few = rays.iter().step_by(objects.len().div_ceil(64));
+            let few = rays.as_chunks::<LANES>().0.iter();
+            let few = few.step_by(objects.len().div_ceil(64)).flatten();
             let few: Vec<Ray> = few.copied().collect();
-            let jobs = [
-                each(&few, |ray| nearest(&objects, ray)),
-                each(&rays, |ray| bvh.nearest(ray)),
+            let packets = packets(&few);
+            let mut methods = vec![
+                ("all", few.len(), each(&few, |ray| nearest(&objects, ray))),
+                ("tree", rays.len(), each(&rays, |ray| bvh.nearest(ray))),
             ];
+            // Random rays have no neighbours to make a packet with.
+            if name == "camera" {
+                let job = each(&packets, |packet| packet.nearest(&objects));
+                methods.push(("in lanes", few.len(), job));
+            }
+            let (names, jobs): (Vec<_>, Vec<_>) = methods
+                .into_iter()
+                .map(|(name, rays, job)| ((name, rays), job))
+                .unzip();
             let times = clock.min_of_rounds(1, jobs);
-            for ((method, rays), ns) in
-                [("all", &few), ("tree", &rays)].into_iter().zip(times)
-            {
+            for ((method, count_of_rays), ns) in names.into_iter().zip(times) {
                 rows.push(Measurement {
-                    ns: ns.map(|ns| ns / rays.len() as f64),
+                    ns: ns.map(|ns| ns / count_of_rays as f64),
                     ..Measurement::of(
                         "spheres",
                         format!("{method}, {name}"),
