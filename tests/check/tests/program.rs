@@ -1,8 +1,9 @@
 //! The program: what it says of bad input and of good, on one screen.
 
 use check::fault::Fault;
-use check::figures::figures;
+use check::figures::{Figure, figures};
 use check::image::{Image, book, write};
+use check::mutations;
 use harness::Numbers;
 use std::ffi::OsStr;
 use std::fs;
@@ -93,6 +94,30 @@ fn bad_input_is_refused_in_one_line() {
         assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
+}
+
+/// Clear glass without absorption lets light through its shadow: so does chapter 8's with one
+/// mistake. Nobody can know which of the two pictures is meant, so both are named.
+#[test]
+fn what_may_be_another_picture_is_said() {
+    let folder = folder();
+    let figures = figures(book().expect("the book's pictures"));
+    let is_it = |figure: &&Figure| figure.name() == "08-fresnel--still-life";
+    let figure = figures.iter().find(is_it).expect("a figure");
+    let fault = mutations::named("glass-no-shadow").expect("a row").faults[0];
+    let size = [100, 75];
+    let pixels = (0..size[0] * size[1]).map(|i| [i % size[0], i / size[0]]);
+    let levels = pixels.map(|at| figure.pixel(at, size, fault)).collect();
+    write(&folder.path().join("mine.png"), &Image { size, levels }).expect("a PNG");
+    let said =
+        String::from_utf8(check(folder.path(), &["mine.png"]).stdout).expect("UTF-8");
+    let place = |words: &str| {
+        said.find(words)
+            .unwrap_or_else(|| panic!("no {words}: {said}"))
+    };
+    let first = place("glass has no shadow");
+    let other = place("or, if it is meant to be 11-transparency--still-life--knob-0:");
+    assert!(first < other && other < place("2. "), "{said}");
 }
 
 /// What cannot be printed is a failure, in one line.
