@@ -10,6 +10,7 @@ use canvas::Canvas;
 use common::Error;
 use found::{POV_RAY, Peers, TINYRAYTRACER, traced_s};
 use glam::UVec2;
+use measure::median;
 use measure::pictures::{frame, packet_picture, pool, scalar_picture};
 use measure::scenes::plain_scene;
 use packets::LANES;
@@ -208,11 +209,6 @@ fn table(runners: &[Runner]) -> String {
 
 fn row([picture, name, a_s, beside, b_s, ratio]: [&str; 6]) -> String {
     format!("| {picture:21} | {name:18} | {a_s:6} | {beside:17} | {b_s:6} | {ratio:6} |")
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// The seconds that POV-Ray says it traced for, on one thread and by the clock, as ours

@@ -7,6 +7,7 @@ mod common;
 
 use common::Error;
 use glam::UVec2;
+use measure::median;
 use measure::pictures::{frame, packet_picture, scalar_picture};
 use measure::scenes::plain_scene;
 use preview::{print_line, write_file};
@@ -104,14 +105,10 @@ fn race() -> Result<(), Error> {
 fn row(((_, _, what), rounds): (&(&str, u32, &str), &Vec<[f64; 2]>)) -> (String, f64) {
     let mut ratios: Vec<_> = rounds.iter().map(|[before, now]| now / before).collect();
     ratios.sort_by(f64::total_cmp);
-    let median = |i: usize| {
-        let mut seconds: Vec<_> = rounds.iter().map(|round| round[i]).collect();
-        seconds.sort_by(f64::total_cmp);
-        seconds[ROUNDS / 2]
-    };
+    let [before, now] = [0, 1].map(|i| rounds.iter().map(|round| round[i]).collect());
     let [before, now, ratio, least, most] = [
-        median(0),
-        median(1),
+        median(before),
+        median(now),
         ratios[ROUNDS / 2],
         ratios[1],
         ratios[ROUNDS - 2],

@@ -739,8 +739,12 @@ pub fn guess<'a>(
     nearest(&near, 3, &|reference| {
         let seen = reference.observe(yours, 128);
         let (own, causes) = likely(&seen);
-        // Another camera and other colours come near to much: a fault without them is likelier.
-        let own = own.map_or(0.0, |own| 0.95 * own.explained);
+        // Another camera and other colours come near to much: each costs what a colour besides a
+        // fault does.
+        let own = own.map_or(0.0, |own| {
+            let changes = own.recoloured + usize::from(own.is_elsewhere);
+            own.explained - COST_OF_COLOUR * changes as f32
+        });
         let explained = causes.first().map_or(own, |cause| cause.explained);
         seen.difference() * (1.0 - explained)
     })

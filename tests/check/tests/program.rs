@@ -1,7 +1,8 @@
 //! The program: what it says of bad input and of good, on one screen.
 
+use crate::rates::drawn;
 use check::fault::Fault;
-use check::figures::{Figure, figures};
+use check::figures::figures;
 use check::image::{Image, book, write};
 use check::mutations;
 use harness::Numbers;
@@ -31,6 +32,13 @@ fn of_book(name: &str) -> Image {
     let pictures = book().expect("the book's pictures");
     let picture = pictures.into_iter().find(|(other, _)| other == name);
     picture.expect(name).1
+}
+
+/// Returns the picture of a figure, drawn with a fault.
+fn with_fault(name: &str, size: [u32; 2], fault: Fault) -> Image {
+    let figures = figures(book().expect("the book's pictures"));
+    let figure = figures.iter().find(|figure| figure.name() == name);
+    drawn(figure.expect(name), size, fault)
 }
 
 /// Bad input is refused with exit code 2 and one line that says what would be right.
@@ -101,16 +109,10 @@ fn bad_input_is_refused_in_one_line() {
 #[test]
 fn what_may_be_another_picture_is_said() {
     let folder = folder();
-    let figures = figures(book().expect("the book's pictures"));
-    let is_it = |figure: &&Figure| figure.name() == "08-fresnel--still-life";
-    let figure = figures.iter().find(is_it).expect("a figure");
     let fault = mutations::named("glass-no-shadow").expect("a row").faults[0];
-    let size = [100, 75];
-    let pixels = (0..size[0] * size[1]).map(|i| [i % size[0], i / size[0]]);
-    let levels = pixels.map(|at| figure.pixel(at, size, fault)).collect();
-    write(&folder.path().join("mine.png"), &Image { size, levels }).expect("a PNG");
-    let said =
-        String::from_utf8(check(folder.path(), &["mine.png"]).stdout).expect("UTF-8");
+    let mine = with_fault("08-fresnel--still-life", [100, 75], fault);
+    write(&folder.path().join("mine.png"), &mine).expect("a PNG");
+    let said = said(folder.path(), &["mine.png"], 1);
     let place = |words: &str| {
         said.find(words)
             .unwrap_or_else(|| panic!("no {words}: {said}"))
@@ -221,20 +223,6 @@ fn equal_pictures_are_equal_in_every_kind_of_png() {
 #[test]
 fn encodings_and_sizes_are_recognised() {
     let folder = folder();
-    let pictures = book().expect("the book's pictures");
-    let figures = figures(pictures);
-    let figure = figures
-        .iter()
-        .find(|f| f.name() == "08-fresnel--still-life")
-        .expect("a figure");
-    let drawn = |size: [u32; 2], fault| {
-        let [w, h] = size;
-        let levels = (0..w * h).map(|i| figure.pixel([i % w, i / w], size, fault));
-        Image {
-            size,
-            levels: levels.collect(),
-        }
-    };
     for (fault, code, words) in [
         (
             Fault::Linear,
@@ -244,7 +232,8 @@ fn encodings_and_sizes_are_recognised() {
         (Fault::Gamma(2.2), 1, "1. light was encoded by a power"),
         (Fault::None, 0, "which is 800x600: drawn anew at your size"),
     ] {
-        write(&folder.path().join("mine.png"), &drawn([240, 180], fault)).expect("a PNG");
+        let mine = with_fault("08-fresnel--still-life", [240, 180], fault);
+        write(&folder.path().join("mine.png"), &mine).expect("a PNG");
         let stdout = said(folder.path(), &["mine.png"], code);
         assert!(
             stdout.contains("08-fresnel--still-life") && stdout.contains(words),
@@ -258,19 +247,7 @@ fn encodings_and_sizes_are_recognised() {
 #[test]
 fn the_page_shows_what_the_program_says() {
     let folder = folder();
-    let pictures = book().expect("the book's pictures");
-    let figures = figures(pictures);
-    let figure = figures
-        .iter()
-        .find(|f| f.name() == "07-refraction--ball")
-        .expect("a figure");
-    let size = [320, 240];
-    let levels =
-        (0..320 * 240).map(|i| figure.pixel([i % 320, i / 320], size, Fault::RatioSame));
-    let mine = Image {
-        size,
-        levels: levels.collect(),
-    };
+    let mine = with_fault("07-refraction--ball", [320, 240], Fault::RatioSame);
     write(&folder.path().join("mine.png"), &mine).expect("a PNG");
     let stdout = said(
         folder.path(),

@@ -71,7 +71,7 @@ const OTHER_STRENGTHS: [(&str, &[Fault]); 11] = [
 
 const SIZES: [[u32; 2]; 4] = [[100, 75], [120, 68], [80, 80], [92, 70]];
 
-fn drawn(figure: &Figure, size: [u32; 2], fault: Fault) -> Image {
+pub fn drawn(figure: &Figure, size: [u32; 2], fault: Fault) -> Image {
     let [w, h] = size;
     let pixels = (0..w * h).into_par_iter();
     let levels = pixels.map(|i| figure.pixel([i % w, i / w], size, fault));
@@ -228,7 +228,7 @@ fn check_rates(most: [usize; 2], guesses: bool) {
                 // other colours.
                 let seen = reference.observe(&case.picture, 300);
                 let is_another = seen.differing() == 0
-                    || likely(&seen).0.is_some_and(|own| own.explained > 0.95);
+                    || likely(&seen).0.is_some_and(|own| own.explained > 0.99);
                 if reference.name != case.view && is_another {
                     println!(
                         "{} {} is {}",
